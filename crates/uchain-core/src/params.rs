@@ -1,0 +1,103 @@
+//! How tunables are declared: one list gives the struct, its defaults, its legal ranges and its help text.
+
+/// What is known of one tunable: read by file checks and by help, never by a law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Key {
+    /// The field's name, unit included; the same in a scenario file.
+    pub name: &'static str,
+    /// Smallest and largest legal value, both included; `None` where any value of the type is legal.
+    pub range: Option<(f64, f64)>,
+    /// Meaning, symbol, unit and source, as in the field's doc comment.
+    pub doc: &'static str,
+}
+
+/// A tunable outside its legal range.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OutOfRange {
+    /// The field's name.
+    pub key: &'static str,
+    /// The value found (NaN and infinities included).
+    pub got: f64,
+    /// Smallest legal value.
+    pub low: f64,
+    /// Largest legal value.
+    pub high: f64,
+}
+
+impl core::fmt::Display for OutOfRange {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{} = {}: must lie in {}..={}", self.key, self.got, self.low, self.high)
+    }
+}
+
+impl core::error::Error for OutOfRange {}
+
+/// Declares a struct of tunables.
+///
+/// Each line is `pub name: Type = default, in low..=high;` (the range is left out for switches and
+/// choices). The struct gets `Default`, `KEYS` ([`Key`] per field) and `check`, which returns the first
+/// field outside its range. Attributes (a serde derive, say) are passed on.
+///
+/// ```
+/// uchain_core::params! {
+///     /// Gains of a law.
+///     pub struct GainParams {
+///         /// Proportional gain (1/s).
+///         pub gain_per_s: f32 = 0.5, in 0.0..=10.0;
+///     }
+/// }
+/// assert!(GainParams::default().check().is_ok());
+/// assert_eq!(GainParams { gain_per_s: -1.0 }.check().unwrap_err().low, 0.0);
+/// assert!(GainParams { gain_per_s: f32::NAN }.check().is_err());
+/// assert_eq!(GainParams::KEYS[0].name, "gain_per_s");
+/// ```
+#[macro_export]
+macro_rules! params {
+    (
+        $(#[$meta:meta])*
+        pub struct $Name:ident {
+            $( $(#[doc = $doc:literal])* pub $field:ident: $ty:ty = $default:expr $(, in $low:literal..=$high:literal)?; )*
+        }
+    ) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, PartialEq)]
+        pub struct $Name {
+            $( $(#[doc = $doc])* pub $field: $ty, )*
+        }
+
+        impl Default for $Name {
+            fn default() -> Self {
+                Self { $( $field: $default, )* }
+            }
+        }
+
+        impl $Name {
+            /// One entry per field, in order.
+            pub const KEYS: &'static [$crate::params::Key] = &[
+                $( $crate::params::Key {
+                    name: stringify!($field),
+                    range: $crate::params!(@range $($low, $high)?),
+                    doc: concat!($($doc),*),
+                }, )*
+            ];
+
+            /// The first field outside its range.
+            ///
+            /// # Errors
+            /// [`OutOfRange`]($crate::params::OutOfRange) names the field, what it is and what it may be.
+            #[allow(clippy::cast_lossless)]
+            pub fn check(&self) -> Result<(), $crate::params::OutOfRange> {
+                $( $( $crate::params!(@check self, $field, $low, $high); )? )*
+                Ok(())
+            }
+        }
+    };
+    (@range) => { None };
+    (@range $low:literal, $high:literal) => { Some(($low as f64, $high as f64)) };
+    (@check $self:ident, $field:ident, $low:literal, $high:literal) => {
+        let (got, low, high) = ($self.$field as f64, $low as f64, $high as f64);
+        if !(low..=high).contains(&got) {
+            return Err($crate::params::OutOfRange { key: stringify!($field), got, low, high });
+        }
+    };
+}

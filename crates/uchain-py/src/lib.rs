@@ -1,0 +1,1 @@
+//! Python bindings of uchain: sweeps and runs from a notebook. Empty so far; nothing depends on it.

@@ -1,0 +1,17 @@
+//! The world around [`uchain_core`]: tunnels, sensors, radio, physics, missions and what is seen of them.
+//!
+//! One tick is five words: sense, decide, act, advance, record; read [`sim`] first.
+
+pub mod analyse;
+pub mod config;
+#[cfg(feature = "draw")]
+pub mod draw;
+pub mod map;
+pub mod mission;
+pub mod radio;
+pub mod record;
+pub mod run;
+pub mod seed;
+pub mod sense;
+pub mod sim;
+pub mod world;

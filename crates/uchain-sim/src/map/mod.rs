@@ -1,0 +1,1 @@
+//! A tunnel: walls, free space, and the way through it.

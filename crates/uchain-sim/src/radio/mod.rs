@@ -1,0 +1,7 @@
+//! Radio: how much a link loses, and which packets arrive.
+
+mod packets;
+mod path_loss;
+
+pub use packets::{PacketParams, Radio};
+pub use path_loss::{PathLoss, PathLossParams};

@@ -1,0 +1,114 @@
+//! What one instant of a run leaves behind, and who may listen.
+
+/// One UAV at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UavFrame {
+    /// Position in the map's frame (m).
+    pub x_m: f32,
+    /// Position in the map's frame (m).
+    pub y_m: f32,
+    /// Direction of the body's x axis, counter-clockwise from the map's x axis (rad).
+    pub heading_rad: f32,
+    /// Forward speed over ground (m/s).
+    pub forward_mps: f32,
+    /// In the air; a UAV on the ground has no body and blocks nobody.
+    pub airborne: bool,
+    /// Wall contacts begun so far.
+    pub wall_contacts: u32,
+    /// Contacts with other UAVs begun so far.
+    pub uav_contacts: u32,
+}
+
+/// One link of the flying chain, from UAV `i` to the next flying neighbour toward the base.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LinkFrame {
+    /// Loss without noise (dB).
+    pub true_db: f32,
+    /// The front end's filtered estimate (dB); `None` before its first packet.
+    pub filtered_db: Option<f32>,
+}
+
+/// One instant of a run. Link `i` joins UAV `i` (0 = head) to UAV `i + 1`, the last link to the base.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Frame {
+    /// Ticks since the start; one tick is [`TICK_S`].
+    pub tick: u64,
+    /// Whether radio and laws ran at this tick (positioning rate).
+    pub decision: bool,
+    /// All UAVs, head first, those on the ground included.
+    pub uavs: Vec<UavFrame>,
+    /// Links of the flying chain, head first; as of the last decision. Empty before the first one.
+    pub links: Vec<LinkFrame>,
+    /// Tunnel distance from the base to the head (m).
+    pub head_reach_m: f32,
+}
+
+/// Length of one tick (s). Time is counted in ticks; every rate divides it.
+pub const TICK_S: f32 = 0.05;
+
+impl Frame {
+    /// Simulated time (s).
+    pub fn time_s(&self) -> f64 {
+        self.tick as f64 * 0.05
+    }
+}
+
+/// Someone who is shown every frame, in order. It can stop the run, it cannot change it.
+pub trait Recorder {
+    /// One frame.
+    ///
+    /// # Errors
+    /// [`RecordError`] ends the run.
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError>;
+}
+
+/// Why a recorder ended a run.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordError {
+    /// The caller asked to stop (Ctrl-C).
+    #[error("interrupted at {time_s:.1} s of simulated time")]
+    Interrupted {
+        /// Simulated time (s).
+        time_s: f64,
+    },
+    /// The recording cannot be written.
+    #[error("cannot write the recording: {0}")]
+    Io(#[from] std::io::Error),
+}
+
+/// Nobody listens.
+impl Recorder for () {
+    fn frame(&mut self, _: &Frame) -> Result<(), RecordError> {
+        Ok(())
+    }
+}
+
+/// Both listen, the first one first.
+impl<A: Recorder, B: Recorder> Recorder for (A, B) {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        self.0.frame(frame)?;
+        self.1.frame(frame)
+    }
+}
+
+impl<R: Recorder + ?Sized> Recorder for &mut R {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        (**self).frame(frame)
+    }
+}
+
+/// Keeps the decision frames, for pictures.
+#[derive(Debug, Clone, Default)]
+pub struct History {
+    /// Frames at the positioning rate, in order.
+    pub frames: Vec<Frame>,
+}
+
+impl Recorder for History {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        if frame.decision {
+            self.frames.push(frame.clone());
+        }
+        Ok(())
+    }
+}
