@@ -1,7 +1,16 @@
 //! A scenario: every room's Params under one roof, read once, checked once, trusted after.
 
+mod check;
+mod course;
+mod diagnose;
+mod document;
 mod load;
 mod scenario;
+mod source;
+#[cfg(test)]
+mod tests;
 
-pub use load::{ConfigError, builtin, builtin_names};
+pub use course::{Course, Spawn};
+pub use diagnose::{ConfigError, Origin};
 pub use scenario::{ChainConfig, CorridorConfig, MapConfig, PilotStep, RosConfig, Scenario};
+pub use source::{Source, TEXT_MAX_BYTES, builtin, builtin_names};

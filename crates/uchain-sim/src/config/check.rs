@@ -1,0 +1,156 @@
+//! Ranges of a scenario's own fields, and of every room's Params under their table's name.
+
+use uchain_core::params::OutOfRange;
+
+use super::{ConfigError, MapConfig, Scenario, document::Document};
+
+/// Length of a tick (s). Every period is a multiple of it.
+const TICK_S: f64 = 0.05;
+
+/// Longest run (s): a day.
+const DURATION_MAX_S: f64 = 86_400.0;
+
+/// Most UAVs in one chain.
+pub(super) const UAVS_MAX: usize = 1000;
+
+/// Most steps a pilot may take.
+const PILOT_MAX: usize = 10_000;
+
+/// Farthest coordinate (m); `f32` keeps a centimetre there.
+const COORDINATE_MAX_M: f64 = 100_000.0;
+
+/// The first value outside its range.
+pub(super) fn values(scenario: &Scenario, document: &Document<'_>) -> Result<(), ConfigError> {
+    let check = Check { document };
+    check.name(&scenario.name)?;
+    check.range("duration_s", scenario.duration_s, TICK_S, DURATION_MAX_S)?;
+    check.ticks("duration_s", scenario.duration_s)?;
+    check.map(scenario)?;
+    check.chain(scenario)?;
+    check.pilot(scenario)?;
+    check.params(scenario)?;
+    check.ticks("equalize.decision_s", f64::from(scenario.equalize.decision_s))?;
+    check.ticks("tof.period_s", f64::from(scenario.tof.period_s))
+}
+
+struct Check<'d> {
+    document: &'d Document<'d>,
+}
+
+impl Check<'_> {
+    fn invalid(&self, key: &str, got: impl ToString, expected: impl Into<String>) -> ConfigError {
+        ConfigError::Invalid {
+            at: self.document.origin(key),
+            key: key.to_owned(),
+            got: self.document.written(key).unwrap_or_else(|| got.to_string()),
+            expected: expected.into(),
+        }
+    }
+
+    fn range(&self, key: &str, got: f64, low: f64, high: f64) -> Result<(), ConfigError> {
+        if (low..=high).contains(&got) {
+            return Ok(());
+        }
+        Err(self.invalid(key, got, format!("must lie in {low}..={high}")))
+    }
+
+    fn ticks(&self, key: &str, got_s: f64) -> Result<(), ConfigError> {
+        let ticks = got_s / TICK_S;
+        if (ticks - ticks.round()).abs() <= 1e-4 && ticks > 0.5 {
+            return Ok(());
+        }
+        Err(self.invalid(key, got_s, format!("must be a multiple of the tick, {TICK_S} s")))
+    }
+
+    fn name(&self, name: &str) -> Result<(), ConfigError> {
+        let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+        if (1..=64).contains(&name.len()) && name.chars().all(plain) {
+            return Ok(());
+        }
+        let expected = "must be 1 to 64 of the letters a-z, A-Z, 0-9, - and _ (it names the output folder)";
+        Err(self.invalid("name", format!("{name:?}"), expected))
+    }
+
+    fn map(&self, scenario: &Scenario) -> Result<(), ConfigError> {
+        match &scenario.map {
+            MapConfig::Corridor(corridor) => {
+                self.range("map.corridor.width_m", corridor.width_m, 0.1, 100.0)?;
+                for (i, corner) in corridor.centre_line_m.iter().enumerate() {
+                    let key = format!("map.corridor.centre_line_m.{i}");
+                    if !(2..=3).contains(&corner.len()) {
+                        let got = format!("{} numbers", corner.len());
+                        return Err(self.invalid(&key, got, "must be [x, y] or [x, y, r]"));
+                    }
+                    for (j, &value_m) in corner.iter().enumerate() {
+                        let low_m = if j == 2 { 0.0 } else { -COORDINATE_MAX_M };
+                        self.range(&format!("{key}.{j}"), value_m, low_m, COORDINATE_MAX_M)?;
+                    }
+                }
+                Ok(())
+            }
+            MapConfig::Ros(ros) => self.range("map.ros.simplify_m", ros.simplify_m, 0.0, 1.0),
+        }
+    }
+
+    fn chain(&self, scenario: &Scenario) -> Result<(), ConfigError> {
+        let chain = &scenario.chain;
+        self.range("chain.uavs", chain.uavs as f64, 1.0, UAVS_MAX as f64)?;
+        self.point("chain.base_m", chain.base_m)?;
+        self.range("chain.heading_deg", f64::from(chain.heading_deg), -360.0, 360.0)?;
+        self.range("chain.spacing_m", f64::from(chain.spacing_m), 0.0, 100.0)?;
+        let Some(spawns) = &chain.spawns_m else { return Ok(()) };
+        if spawns.len() != chain.uavs {
+            let expected = format!("must be one place per UAV (chain.uavs = {})", chain.uavs);
+            return Err(self.invalid("chain.spawns_m", format!("{} places", spawns.len()), expected));
+        }
+        spawns.iter().enumerate().try_for_each(|(i, &at)| self.point(&format!("chain.spawns_m.{i}"), at))
+    }
+
+    fn point(&self, key: &str, at: [f32; 2]) -> Result<(), ConfigError> {
+        at.iter().enumerate().try_for_each(|(j, &value_m)| {
+            self.range(&format!("{key}.{j}"), f64::from(value_m), -COORDINATE_MAX_M, COORDINATE_MAX_M)
+        })
+    }
+
+    fn pilot(&self, scenario: &Scenario) -> Result<(), ConfigError> {
+        let pilot = &scenario.pilot;
+        if pilot.len() > PILOT_MAX {
+            let expected = format!("must be at most {PILOT_MAX} steps");
+            return Err(self.invalid("pilot", format!("{} steps", pilot.len()), expected));
+        }
+        let mut before_s = None;
+        for (i, step) in pilot.iter().enumerate() {
+            let start = format!("pilot.{i}.start_s");
+            self.range(&start, step.start_s, 0.0, DURATION_MAX_S)?;
+            self.range(&format!("pilot.{i}.speed_mps"), f64::from(step.speed_mps), -1.0, 1.0)?;
+            if let Some(before_s) = before_s.filter(|&b| step.start_s <= b) {
+                let expected = format!("must be later than the step before it, which starts at {before_s} s");
+                return Err(self.invalid(&start, step.start_s, expected));
+            }
+            before_s = Some(step.start_s);
+        }
+        Ok(())
+    }
+
+    fn params(&self, scenario: &Scenario) -> Result<(), ConfigError> {
+        let tables = [
+            ("kalman", scenario.kalman.check()),
+            ("equalize", scenario.equalize.check()),
+            ("center", scenario.center.check()),
+            ("takeoff", scenario.takeoff.check()),
+            ("link", scenario.link.check()),
+            ("radio", scenario.radio.check()),
+            ("packets", scenario.packets.check()),
+            ("tof", scenario.tof.check()),
+            ("flow", scenario.flow.check()),
+            ("motion", scenario.motion.check()),
+        ];
+        for (table, checked) in tables {
+            if let Err(OutOfRange { key, got, low, high }) = checked {
+                let key = format!("{table}.{key}");
+                return Err(self.invalid(&key, got, format!("must lie in {low}..={high}")));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,194 @@
+//! A scenario laid out in its tunnel: everything a run needs, shared by many runs.
+
+use glam::Vec2;
+
+use super::{
+    ConfigError, CorridorConfig, MapConfig, RosConfig, Scenario, Source, check, document::Document,
+};
+use crate::map::{Geodesic, Map, MapError, Vertex, corridor, read_ros};
+
+/// Where a UAV waits, in the map's frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spawn {
+    /// Place (m).
+    pub at: Vec2,
+    /// Direction of the body's x axis, counter-clockwise from the map's x axis (rad).
+    pub heading_rad: f32,
+}
+
+/// A scenario laid out in its tunnel. Everything in it has been checked; nothing changes any more.
+#[derive(Debug, Clone)]
+pub struct Course {
+    /// What was asked for.
+    pub scenario: Scenario,
+    /// The tunnel.
+    pub map: Map,
+    /// Tunnel distance from the base to anywhere.
+    pub from_base: Geodesic,
+    /// The base station, in the map's frame (m).
+    pub base: Vec2,
+    /// Where the UAVs wait, head first.
+    pub spawns: Vec<Spawn>,
+}
+
+impl Course {
+    /// Reads, checks and lays out a scenario, in one go.
+    ///
+    /// ```
+    /// use uchain_sim::config::{Course, builtin};
+    /// let course = Course::read(&builtin("corner").unwrap(), &[]).unwrap();
+    /// assert_eq!(course.spawns.len(), course.scenario.chain.uavs);
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`Scenario::parse`] and [`Course::lay`]; each names its place, `--set` included.
+    pub fn read(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
+        let document = Document::parse(source, sets)?;
+        let scenario = Scenario::from_document(&document)?;
+        Self::lay_in(scenario, source, &document)
+    }
+
+    /// Builds the tunnel and finds everyone's place in it. `source` gives the folder for the map's path
+    /// and the lines for messages.
+    ///
+    /// # Errors
+    /// A value out of range; a map that cannot be read or built; the base or a UAV in rock or nearer to a
+    /// wall than its radius; UAVs that overlap; a UAV from which no way leads to the base.
+    pub fn lay(scenario: Scenario, source: &Source) -> Result<Self, ConfigError> {
+        let document = Document::parse(source, &[])?;
+        check::values(&scenario, &document)?;
+        Self::lay_in(scenario, source, &document)
+    }
+
+    fn lay_in(scenario: Scenario, source: &Source, document: &Document<'_>) -> Result<Self, ConfigError> {
+        let map = match &scenario.map {
+            MapConfig::Corridor(config) => {
+                build(config).map_err(|cause| refuse(document, "map.corridor", cause))?
+            }
+            MapConfig::Ros(config) => {
+                read(config, source).map_err(|cause| refuse(document, "map.ros.file", cause))?
+            }
+        };
+        let radius_m = scenario.motion.radius_m;
+        let spots = Spots { map: &map, radius_m, document };
+        let [x_m, y_m] = scenario.chain.base_m;
+        let base = map.to_local([f64::from(x_m), f64::from(y_m)]);
+        if map.in_rock(base) {
+            let expected = "the base is in rock; expected free space".to_owned();
+            return Err(spots.invalid("chain.base_m", &format!("[{x_m}, {y_m}]"), expected));
+        }
+        let from_base = map.geodesic(base).map_err(|cause| refuse(document, "chain.base_m", cause))?;
+
+        let mut spawns: Vec<Spawn> = Vec::with_capacity(scenario.chain.uavs);
+        let heading_rad = scenario.chain.heading_deg.to_radians();
+        for (index, place) in waiting_places(&scenario).into_iter().enumerate() {
+            let [place_x_m, place_y_m] = place.at_m;
+            let at = map.to_local([f64::from(place_x_m), f64::from(place_y_m)]);
+            spots.stands_free(index, &place, at, &spawns)?;
+            if from_base.distance_m(&map, at).is_none() {
+                let expected = format!(
+                    "no way leads from the base to UAV {index} at ({place_x_m}, {place_y_m}) m; both must be in \
+                     the same tunnel"
+                );
+                return Err(spots.invalid("chain.base_m", &format!("[{x_m}, {y_m}]"), expected));
+            }
+            spawns.push(Spawn { at, heading_rad });
+        }
+        Ok(Self { scenario, map, from_base, base, spawns })
+    }
+}
+
+/// Where a UAV is to wait, in the scenario's frame, and the key that says so.
+struct Place {
+    key: String,
+    got: String,
+    at_m: [f32; 2],
+}
+
+/// One place per UAV, head first.
+fn waiting_places(scenario: &Scenario) -> Vec<Place> {
+    let chain = &scenario.chain;
+    if let Some(places) = &chain.spawns_m {
+        let place = |(i, &at_m): (usize, &[f32; 2])| Place {
+            key: format!("chain.spawns_m.{i}"),
+            got: format!("[{}, {}]", at_m[0], at_m[1]),
+            at_m,
+        };
+        return places.iter().enumerate().map(place).collect();
+    }
+    let (sin, cos) = libm::sincosf(chain.heading_deg.to_radians());
+    let [x_m, y_m] = chain.base_m;
+    let place = |index: usize| {
+        let along_m = chain.spacing_m * (chain.uavs - 1 - index) as f32;
+        let at_m = [x_m + along_m * cos, y_m + along_m * sin];
+        if index + 1 == chain.uavs {
+            return Place { key: "chain.base_m".to_owned(), got: format!("[{x_m}, {y_m}]"), at_m };
+        }
+        Place { key: "chain.spacing_m".to_owned(), got: chain.spacing_m.to_string(), at_m }
+    };
+    (0..chain.uavs).map(place).collect()
+}
+
+fn build(config: &CorridorConfig) -> Result<Map, MapError> {
+    let corner = |numbers: &Vec<f64>| Vertex {
+        x: numbers.first().copied().unwrap_or_default(),
+        y: numbers.get(1).copied().unwrap_or_default(),
+        bend_radius_m: numbers.get(2).copied().unwrap_or_default(),
+    };
+    let corners: Vec<Vertex> = config.centre_line_m.iter().map(corner).collect();
+    corridor(&corners, config.width_m, config.closed).map(|(map, _)| map)
+}
+
+fn read(config: &RosConfig, source: &Source) -> Result<Map, MapError> {
+    read_ros(&source.folder.join(&config.file), config.unknown, config.simplify_m)
+}
+
+fn refuse(document: &Document<'_>, key: &str, cause: MapError) -> ConfigError {
+    ConfigError::Map { at: document.origin(key), key: key.to_owned(), cause }
+}
+
+/// Checks one place after the other.
+struct Spots<'a> {
+    map: &'a Map,
+    radius_m: f32,
+    document: &'a Document<'a>,
+}
+
+impl Spots<'_> {
+    fn invalid(&self, key: &str, got: &str, expected: String) -> ConfigError {
+        let got = self.document.written(key).unwrap_or_else(|| got.to_owned());
+        ConfigError::Invalid { at: self.document.origin(key), key: key.to_owned(), got, expected }
+    }
+
+    fn stands_free(
+        &self,
+        index: usize,
+        place: &Place,
+        at: Vec2,
+        others: &[Spawn],
+    ) -> Result<(), ConfigError> {
+        let [x_m, y_m] = place.at_m;
+        let uav = format!("UAV {index} would wait at ({x_m}, {y_m}) m");
+        let wrong = |expected| Err(self.invalid(&place.key, &place.got, expected));
+        if self.map.in_rock(at) {
+            return wrong(format!("{uav}, which is in rock; expected free space"));
+        }
+        let radius_m = self.radius_m;
+        let clearance_m = self.map.clearance_m(at);
+        if clearance_m < radius_m {
+            return wrong(format!(
+                "{uav}, {clearance_m:.3} m from a wall; expected at least its radius, {radius_m} m"
+            ));
+        }
+        for (other, spawn) in others.iter().enumerate() {
+            let apart_m = spawn.at.distance(at);
+            if apart_m < 2.0 * radius_m {
+                return wrong(format!(
+                    "{uav}, {apart_m:.3} m from UAV {other}; expected at least two radii, {} m",
+                    2.0 * radius_m
+                ));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,194 @@
+//! What is wrong with a scenario, in words that help to mend it.
+
+use std::fmt;
+
+use super::{TEXT_MAX_BYTES, builtin_names};
+use crate::map::MapError;
+
+/// Where a value was written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Origin {
+    /// A line of the scenario file, counted from 1.
+    Line {
+        /// The file, or `<builtin corner>`.
+        label: String,
+        /// Line, from 1.
+        line: usize,
+    },
+    /// The scenario as a whole: the value is not written anywhere in it.
+    Whole {
+        /// The file, or `<builtin corner>`.
+        label: String,
+    },
+    /// An assignment on the command line.
+    Set {
+        /// `key=value` as given.
+        assignment: String,
+    },
+}
+
+impl fmt::Display for Origin {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Line { label, line } => write!(f, "{label}:{line}"),
+            Self::Whole { label } => f.write_str(label),
+            Self::Set { assignment } => write!(f, "--set {assignment}"),
+        }
+    }
+}
+
+/// Why a scenario cannot be flown. Every message names the place, the key, what was found and what was
+/// expected.
+#[derive(Debug, thiserror::Error)]
+pub enum ConfigError {
+    /// No compiled-in scenario of this name.
+    #[error(
+        "unknown scenario '{name}'{}; give one of these names, or a path to a file such as ./{name}.toml \
+         (known: {})", did_you_mean(.nearest.as_deref()), known_list(.known)
+    )]
+    UnknownScenario {
+        /// The name asked for.
+        name: String,
+        /// The known name nearest to it.
+        nearest: Option<String>,
+        /// All known names.
+        known: Vec<String>,
+    },
+    /// The file cannot be read.
+    #[error("{label}: cannot read the scenario: {cause}")]
+    Read {
+        /// The file.
+        label: String,
+        /// What the system said.
+        cause: std::io::Error,
+    },
+    /// The file is longer than any scenario.
+    #[error("{label}: longer than {TEXT_MAX_BYTES} bytes, expected a scenario in TOML")]
+    TooLong {
+        /// The file.
+        label: String,
+    },
+    /// The file is not UTF-8.
+    #[error("{label}: not UTF-8 text from byte {byte} on, expected a scenario in TOML")]
+    NotText {
+        /// The file.
+        label: String,
+        /// Offset of the first byte that is not text.
+        byte: usize,
+    },
+    /// Not TOML.
+    #[error("{at}: not valid TOML: {message}")]
+    Syntax {
+        /// Where.
+        at: Origin,
+        /// What the parser found and expected.
+        message: String,
+    },
+    /// A `--set` that names no place a value could go.
+    #[error("{at}: {message}")]
+    Set {
+        /// The assignment.
+        at: Origin,
+        /// What is wrong with it.
+        message: String,
+    },
+    /// A key that nothing reads.
+    #[error("{at}: unknown key '{key}'{} (known: {})", did_you_mean(.nearest.as_deref()), known_list(.known))]
+    UnknownKey {
+        /// Where.
+        at: Origin,
+        /// The key with its tables, as written.
+        key: String,
+        /// The known key nearest to it, without its tables.
+        nearest: Option<String>,
+        /// Every key that could stand there.
+        known: Vec<String>,
+    },
+    /// A word that is none of the choices.
+    #[error(
+        "{at}: {key} = \"{got}\": unknown choice{} (known: {})",
+        did_you_mean(.nearest.as_deref()), known_list(.known)
+    )]
+    UnknownChoice {
+        /// Where.
+        at: Origin,
+        /// The key with its tables.
+        key: String,
+        /// The word found.
+        got: String,
+        /// The known word nearest to it.
+        nearest: Option<String>,
+        /// Every choice.
+        known: Vec<String>,
+    },
+    /// A key without which nothing flies.
+    #[error("{at}: missing key '{key}'")]
+    Missing {
+        /// Where its table stands.
+        at: Origin,
+        /// The key with its tables.
+        key: String,
+    },
+    /// A value of the wrong type, outside its range, or at odds with another one.
+    #[error("{at}: {key} = {got}: {expected}")]
+    Invalid {
+        /// Where.
+        at: Origin,
+        /// The key with its tables.
+        key: String,
+        /// What was found.
+        got: String,
+        /// What was expected.
+        expected: String,
+    },
+    /// The tunnel cannot be built.
+    #[error("{at}: {key}: {cause}")]
+    Map {
+        /// Where.
+        at: Origin,
+        /// The key with its tables.
+        key: String,
+        /// What the map room said.
+        cause: MapError,
+    },
+}
+
+impl ConfigError {
+    pub(super) fn unknown_scenario(name: &str) -> Self {
+        let known: Vec<String> = builtin_names().iter().map(|&n| n.to_owned()).collect();
+        Self::UnknownScenario { name: shorten(name), nearest: nearest(name, &known), known }
+    }
+}
+
+/// Text as it may stand in a message: printable, on one line, of bounded length.
+pub(super) fn shorten(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let mut short: String = text
+        .chars()
+        .take(LONGEST)
+        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
+        .collect();
+    if text.chars().nth(LONGEST).is_some() {
+        short.push('…');
+    }
+    short
+}
+
+/// The known name nearest to `got`; `None` when none is near enough to be meant.
+pub(super) fn nearest(got: &str, known: &[String]) -> Option<String> {
+    let got = shorten(&got.to_lowercase());
+    known
+        .iter()
+        .map(|name| (strsim::damerau_levenshtein(&got, name), name))
+        .min_by_key(|(edits, _)| *edits)
+        .filter(|(edits, name)| *edits <= 1 + name.chars().count().max(got.chars().count()) / 3)
+        .map(|(_, name)| name.clone())
+}
+
+fn did_you_mean(nearest: Option<&str>) -> String {
+    nearest.map_or_else(String::new, |name| format!("; did you mean '{name}'?"))
+}
+
+fn known_list(known: &[String]) -> String {
+    known.join(", ")
+}

@@ -1,0 +1,96 @@
+//! Where a scenario's text comes from: compiled in by name, or a file.
+
+use std::{
+    io::Read,
+    path::{Path, PathBuf},
+};
+
+use super::ConfigError;
+
+/// Longest scenario file (bytes).
+pub const TEXT_MAX_BYTES: u64 = 1 << 20;
+
+/// The compiled-in scenarios; the one list of them.
+const BUILTIN: [(&str, &str); 4] = [
+    ("bend", include_str!("../../scenarios/bend.toml")),
+    ("corner", include_str!("../../scenarios/corner.toml")),
+    ("stata", include_str!("../../scenarios/stata.toml")),
+    ("straight", include_str!("../../scenarios/straight.toml")),
+];
+
+/// Names of the compiled-in scenarios, sorted.
+const NAMES: [&str; BUILTIN.len()] = {
+    let mut names = [""; BUILTIN.len()];
+    let mut i = 0;
+    while i < BUILTIN.len() {
+        names[i] = BUILTIN[i].0;
+        i += 1;
+    }
+    names
+};
+
+/// A scenario's text and where it stands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// What messages call it: the file's path, or `<builtin corner>`.
+    pub label: String,
+    /// The TOML.
+    pub text: String,
+    /// Where relative paths in the text start; empty = the working folder.
+    pub folder: PathBuf,
+}
+
+/// A compiled-in scenario; `None` if there is none of this name.
+///
+/// ```
+/// assert!(uchain_sim::config::builtin("corner").is_some());
+/// ```
+pub fn builtin(name: &str) -> Option<Source> {
+    let (name, text) = BUILTIN.iter().find(|(known, _)| *known == name)?;
+    Some(Source {
+        label: format!("<builtin {name}>"),
+        text: (*text).to_owned(),
+        folder: PathBuf::new(),
+    })
+}
+
+/// Names of the compiled-in scenarios, sorted.
+pub fn builtin_names() -> &'static [&'static str] {
+    &NAMES
+}
+
+impl Source {
+    /// A compiled-in scenario by its name, or a file: what holds a `/` or ends in `.toml` is a file.
+    ///
+    /// # Errors
+    /// [`ConfigError::UnknownScenario`] with the nearest name; those of [`Source::read`].
+    pub fn find(name_or_path: &str) -> Result<Self, ConfigError> {
+        let path = Path::new(name_or_path);
+        let is_file = name_or_path.contains(['/', '\\'])
+            || path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
+        if is_file {
+            return Self::read(path);
+        }
+        builtin(name_or_path).ok_or_else(|| ConfigError::unknown_scenario(name_or_path))
+    }
+
+    /// The text of a file of at most [`TEXT_MAX_BYTES`].
+    ///
+    /// # Errors
+    /// [`ConfigError::Read`], [`ConfigError::TooLong`], [`ConfigError::NotText`].
+    pub fn read(path: &Path) -> Result<Self, ConfigError> {
+        let label = path.display().to_string();
+        let cannot = |cause| ConfigError::Read { label: label.clone(), cause };
+        let file = std::fs::File::open(path).map_err(cannot)?;
+        let mut bytes = Vec::new();
+        file.take(TEXT_MAX_BYTES + 1).read_to_end(&mut bytes).map_err(cannot)?;
+        if bytes.len() as u64 > TEXT_MAX_BYTES {
+            return Err(ConfigError::TooLong { label });
+        }
+        let text = String::from_utf8(bytes).map_err(|error| ConfigError::NotText {
+            label: label.clone(),
+            byte: error.utf8_error().valid_up_to(),
+        })?;
+        Ok(Self { label, text, folder: path.parent().map(Path::to_owned).unwrap_or_default() })
+    }
+}

@@ -1,0 +1,68 @@
+//! Pictures. kuva lives here only.
+
+mod colour;
+mod losses;
+mod panel;
+mod tunnel;
+
+use kuva::{RasterBackend, render::render::Scene};
+
+use crate::{analyse::Summary, config::Course, record::History};
+use losses::Losses;
+use panel::{FIGURE_WIDTH, Panel, TEXT_LARGE};
+use tunnel::Tunnel;
+
+/// Pixels of the PNG per unit of the drawing; 1400 px across.
+const SCALE: f32 = 2.0;
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+pub enum DrawError {
+    /// The picture cannot be turned into a PNG.
+    #[error("cannot draw the picture: {0}")]
+    Raster(String),
+}
+
+/// One run on one page, as a PNG 1400 px wide. Above: the loss of every link over time (solid = true,
+/// thin = as the filter sees it), the threshold `s_min`, the launches (after Laclau 2021, Fig. 4D).
+/// Below: the map at equal aspect, cropped to where the UAVs flew, with their tracks; its axes are in
+/// the map file's own frame.
+///
+/// # Errors
+/// [`DrawError::Raster`].
+pub fn run_png(course: &Course, history: &History, summary: &Summary) -> Result<Vec<u8>, DrawError> {
+    let losses = Losses::new(course, history, summary);
+    let losses_panel = Panel::new(34.0, losses.height(), losses.x_range(), losses.y_range());
+    let tunnel = Tunnel::new(course, history);
+    let tunnel_panel = tunnel.panel(losses_panel.bottom() + 60.0);
+
+    let mut scene = Scene::new(FIGURE_WIDTH, tunnel_panel.bottom() + 44.0);
+    panel::text(&mut scene, (losses_panel.left(), 20.0), TEXT_LARGE, &headline(summary));
+    losses.draw(&mut scene, &losses_panel);
+    tunnel.draw(&mut scene, &tunnel_panel);
+    RasterBackend { scale: SCALE }.render_scene(&scene).map_err(DrawError::Raster)
+}
+
+fn headline(summary: &Summary) -> String {
+    use std::fmt::Write as _;
+    let mut line = format!(
+        "{}, seed {}: head reached {:.1} m with {} UAV{}",
+        summary.scenario,
+        summary.seed,
+        summary.head_reach_m,
+        summary.uavs,
+        if summary.uavs == 1 { "" } else { "s" },
+    );
+    if let Some(spread_db) = summary.spread_db {
+        // Writing to a String cannot fail.
+        let _ = write!(line, ", spread {spread_db:.1} dB at the end");
+    }
+    let contacts = summary.wall_contacts + summary.uav_contacts;
+    if contacts > 0 {
+        let _ = write!(line, ", {contacts} contact{}", if contacts == 1 { "" } else { "s" });
+    }
+    line
+}
+
+#[cfg(test)]
+mod tests;

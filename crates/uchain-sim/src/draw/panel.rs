@@ -1,0 +1,197 @@
+//! One pair of axes at a fixed place on the page, and the marks that go with it.
+
+use kuva::render::{
+    axis::add_axes_and_grid,
+    color::Color,
+    layout::{ComputedLayout, Layout},
+    render::{Primitive, Scene, TextAnchor},
+};
+
+use super::colour::INK;
+
+/// Width of the page.
+pub(super) const FIGURE_WIDTH: f64 = 700.0;
+/// Room left of the axes for numbers and the label.
+const LEFT: f64 = 54.0;
+/// Room right of the axes for the legend.
+const RIGHT: f64 = 104.0;
+/// Width of the axes' box.
+pub(super) const BOX_WIDTH: f64 = FIGURE_WIDTH - LEFT - RIGHT;
+
+/// Size of the headline.
+pub(super) const TEXT_LARGE: u32 = 13;
+/// Size of axis labels.
+const TEXT_LABEL: u32 = 11;
+/// Size of numbers and legends.
+const TEXT_SMALL: u32 = 10;
+/// Distance between two lines of a legend.
+pub(super) const ROW: f64 = 15.0;
+
+/// A pair of axes.
+pub(super) struct Panel {
+    layout: Layout,
+    computed: ComputedLayout,
+}
+
+impl Panel {
+    /// Axes whose box starts `top` below the page's upper edge.
+    pub(super) fn new(top: f64, height: f64, x_range: (f64, f64), y_range: (f64, f64)) -> Self {
+        let layout = Layout::new(x_range, y_range)
+            .with_width(FIGURE_WIDTH)
+            .with_height(top + height)
+            .with_force_margins(LEFT, RIGHT)
+            .with_force_margins_y(top, 0.0)
+            .with_x_axis_min(x_range.0)
+            .with_x_axis_max(x_range.1)
+            .with_y_axis_min(y_range.0)
+            .with_y_axis_max(y_range.1)
+            .with_tick_size(TEXT_SMALL)
+            .with_box_axes();
+        let computed = ComputedLayout::from_layout(&layout);
+        Self { layout, computed }
+    }
+
+    pub(super) fn left(&self) -> f64 {
+        self.computed.margin_left
+    }
+
+    pub(super) fn right(&self) -> f64 {
+        self.computed.width - self.computed.margin_right
+    }
+
+    pub(super) fn top(&self) -> f64 {
+        self.computed.margin_top
+    }
+
+    pub(super) fn bottom(&self) -> f64 {
+        self.computed.height - self.computed.margin_bottom
+    }
+
+    /// Where a value lies on the page.
+    pub(super) fn at(&self, x: f64, y: f64) -> (f64, f64) {
+        (self.computed.map_x(x), self.computed.map_y(y))
+    }
+
+    /// The grid, the box, its numbers and labels.
+    pub(super) fn axes(&self, scene: &mut Scene, x_label: &str, y_label: &str) {
+        add_axes_and_grid(scene, &self.computed, &self.layout);
+        let middle = (f64::midpoint(self.left(), self.right()), f64::midpoint(self.top(), self.bottom()));
+        scene.add(label((middle.0, self.bottom() + 33.0), x_label, None));
+        scene.add(label((14.0, middle.1), y_label, Some(-90.0)));
+    }
+
+    /// Nothing that follows leaves the box, until [`Panel::unclip`].
+    pub(super) fn clip(&self, scene: &mut Scene) {
+        let (x, y) = (self.left(), self.top());
+        let (width, height) = (self.right() - x, self.bottom() - y);
+        scene.add(Primitive::ClipStart { x, y, width, height, id: format!("box{y}") });
+    }
+
+    pub(super) fn unclip(&self, scene: &mut Scene) {
+        scene.add(Primitive::ClipEnd);
+    }
+
+    /// A line through values; a gap wherever a value is missing.
+    pub(super) fn line(
+        &self,
+        scene: &mut Scene,
+        values: impl Iterator<Item = Option<(f64, f64)>>,
+        stroke: &Color,
+        width: f64,
+    ) {
+        let mut points = Vec::new();
+        for value in values.chain([None]) {
+            match value {
+                Some((x, y)) => points.push(self.at(x, y)),
+                None if points.len() > 1 => scene.add(Primitive::PolyLine {
+                    points: std::mem::take(&mut points),
+                    stroke: stroke.clone(),
+                    stroke_width: width,
+                    stroke_dasharray: None,
+                }),
+                None => points.clear(),
+            }
+        }
+    }
+}
+
+/// A straight line on the page.
+pub(super) fn rule(
+    scene: &mut Scene,
+    (x1, y1): (f64, f64),
+    (x2, y2): (f64, f64),
+    stroke: &Color,
+    width: f64,
+    dash: Option<&str>,
+) {
+    scene.add(Primitive::Line {
+        x1,
+        y1,
+        x2,
+        y2,
+        stroke: stroke.clone(),
+        stroke_width: width,
+        stroke_dasharray: dash.map(str::to_owned),
+    });
+}
+
+/// A round mark on the page.
+pub(super) fn dot(scene: &mut Scene, (cx, cy): (f64, f64), r: f64, fill: &Color, stroke: &Color) {
+    scene.add(Primitive::Circle {
+        cx,
+        cy,
+        r,
+        fill: fill.clone(),
+        fill_opacity: None,
+        stroke: Some(stroke.clone()),
+        stroke_width: Some(1.0),
+    });
+}
+
+/// Text that starts at a point of the page.
+pub(super) fn text(scene: &mut Scene, (x, y): (f64, f64), size: u32, content: &str) {
+    scene.add(Primitive::Text {
+        x,
+        y,
+        content: content.to_owned(),
+        size,
+        anchor: TextAnchor::Start,
+        rotate: None,
+        bold: false,
+        color: Some(INK),
+    });
+}
+
+/// Small text centred on a point of the page.
+pub(super) fn caption(scene: &mut Scene, (x, y): (f64, f64), content: &str, colour: &Color) {
+    scene.add(Primitive::Text {
+        x,
+        y,
+        content: content.to_owned(),
+        size: TEXT_SMALL,
+        anchor: TextAnchor::Middle,
+        rotate: None,
+        bold: false,
+        color: Some(colour.clone()),
+    });
+}
+
+/// A line of a legend: its text; the mark is drawn left of it by the caller, around the point returned.
+pub(super) fn legend(scene: &mut Scene, panel: &Panel, row: usize, content: &str) -> (f64, f64) {
+    let (x, y) = (panel.right() + 10.0, panel.top() + 7.0 + row as f64 * ROW);
+    text(scene, (x + 22.0, y + 3.5), TEXT_SMALL, content);
+    (x + 8.0, y)
+}
+
+fn label((x, y): (f64, f64), content: &str, rotate: Option<f64>) -> Primitive {
+    Primitive::Text {
+        x,
+        y,
+        content: content.to_owned(),
+        size: TEXT_LABEL,
+        anchor: TextAnchor::Middle,
+        rotate,
+        bold: false,
+        color: Some(INK),
+    }
+}

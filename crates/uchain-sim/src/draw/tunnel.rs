@@ -1,0 +1,212 @@
+//! The map with the UAVs' tracks, at equal aspect.
+
+use glam::DVec2;
+use kuva::render::{
+    color::Color,
+    render::{PathData, Primitive, Scene},
+};
+
+use super::{
+    colour::{self, FREE, INK, ROCK, WALL},
+    losses::thinned,
+    panel::{BOX_WIDTH, Panel, dot, legend, rule},
+};
+use crate::{
+    config::Course,
+    map::Segment,
+    record::{Frame, History, UavFrame},
+};
+
+/// Lowest and highest box.
+const HEIGHTS: (f64, f64) = (120.0, 440.0);
+/// Least room around the tracks (m), and as a share of their size.
+const MARGIN_M: f64 = 0.8;
+const MARGIN_SHARE: f64 = 0.04;
+
+/// What the lower panel shows. Coordinates are in the map file's own frame (m).
+pub(super) struct Tunnel<'a> {
+    course: &'a Course,
+    frames: Vec<&'a Frame>,
+    last: Option<&'a Frame>,
+    flown: usize,
+    low_m: DVec2,
+    high_m: DVec2,
+}
+
+impl<'a> Tunnel<'a> {
+    pub(super) fn new(course: &'a Course, history: &'a History) -> Self {
+        let frames = thinned(&history.frames);
+        let flown = history
+            .frames
+            .iter()
+            .map(|frame| frame.uavs.iter().filter(|uav| uav.airborne).count())
+            .max()
+            .unwrap_or(0);
+        let mut tunnel = Self {
+            course,
+            frames,
+            last: history.frames.last(),
+            flown,
+            low_m: DVec2::INFINITY,
+            high_m: DVec2::NEG_INFINITY,
+        };
+        tunnel.frame_region();
+        tunnel
+    }
+
+    /// Crops to the base and to wherever somebody was, plus a margin.
+    fn frame_region(&mut self) {
+        let spawns = self.course.spawns.iter().map(|spawn| spawn.at);
+        let fixed = spawns.chain([self.course.base]).map(|at| self.shown(at.as_dvec2()));
+        let flown = self.frames.iter().flat_map(|frame| &frame.uavs).filter_map(|uav| self.place(uav));
+        let (mut low, mut high) = (self.low_m, self.high_m);
+        for at in fixed.chain(flown) {
+            (low, high) = (low.min(at), high.max(at));
+        }
+        let margin_m = (MARGIN_SHARE * (high - low).max_element()).max(MARGIN_M);
+        (self.low_m, self.high_m) = (low - margin_m, high + margin_m);
+    }
+
+    /// The panel whose box has the region's own shape, so that a metre is as long across as up.
+    pub(super) fn panel(&self, top: f64) -> Panel {
+        let size_m = self.high_m - self.low_m;
+        let height = (BOX_WIDTH * size_m.y / size_m.x).clamp(HEIGHTS.0, HEIGHTS.1);
+        let m_per_unit = (size_m.x / BOX_WIDTH).max(size_m.y / height);
+        let middle = (self.low_m + self.high_m) / 2.0;
+        let half = DVec2::new(BOX_WIDTH, height) * m_per_unit / 2.0;
+        let (low, high) = (middle - half, middle + half);
+        Panel::new(top, height, (low.x, high.x), (low.y, high.y))
+    }
+
+    pub(super) fn draw(&self, scene: &mut Scene, panel: &Panel) {
+        panel.clip(scene);
+        self.ground(scene, panel);
+        for i in (0..self.flown).rev() {
+            panel.line(scene, self.track(i), &colour::of_uav(i, self.flown), 1.4);
+        }
+        let (x, y) = self.on_page(panel, self.course.base.as_dvec2());
+        square(scene, (x, y));
+        self.uavs(scene, panel);
+        panel.unclip(scene);
+        panel.axes(scene, "x (m)", "y (m)");
+        self.legend(scene, panel);
+    }
+
+    /// Rock, free space and walls. Loops are painted from the largest to the smallest.
+    fn ground(&self, scene: &mut Scene, panel: &Panel) {
+        scene.add(Primitive::Rect {
+            x: panel.left(),
+            y: panel.top(),
+            width: panel.right() - panel.left(),
+            height: panel.bottom() - panel.top(),
+            fill: ROCK,
+            stroke: None,
+            stroke_width: None,
+            opacity: None,
+        });
+        let mut loops: Vec<(f64, &[Segment])> =
+            self.course.map.loops().map(|walls| (doubled_area_m2(walls), walls)).collect();
+        loops.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+        for (doubled_area_m2, walls) in loops {
+            let fill = if self.is_free_inside(doubled_area_m2, walls) { FREE } else { ROCK };
+            scene.add(self.outline(panel, walls, fill));
+        }
+    }
+
+    /// What lies on the inner side of a loop, told from a point next to its longest wall.
+    fn is_free_inside(&self, doubled_area_m2: f64, walls: &[Segment]) -> bool {
+        let length = |wall: &&Segment| wall.a.distance_squared(wall.b);
+        let Some(wall) = walls.iter().max_by(|a, b| length(a).total_cmp(&length(b))) else { return false };
+        let to_left = (wall.b - wall.a).perp().normalize_or_zero() * 0.002;
+        let inward = if doubled_area_m2 > 0.0 { to_left } else { -to_left };
+        !self.course.map.in_rock(wall.a.midpoint(wall.b) + inward)
+    }
+
+    fn outline(&self, panel: &Panel, walls: &[Segment], fill: Color) -> Primitive {
+        use std::fmt::Write as _;
+        let mut d = String::with_capacity(16 * walls.len());
+        for (i, wall) in walls.iter().enumerate() {
+            let (x, y) = self.on_page(panel, wall.a.as_dvec2());
+            // Writing to a String cannot fail.
+            let _ = write!(d, "{}{x:.2} {y:.2} ", if i == 0 { 'M' } else { 'L' });
+        }
+        d.push('Z');
+        Primitive::Path(Box::new(PathData {
+            d,
+            fill: Some(fill),
+            stroke: WALL,
+            stroke_width: 1.0,
+            opacity: None,
+            stroke_dasharray: None,
+        }))
+    }
+
+    /// Where a UAV flew; `None` while it was on the ground.
+    fn track(&self, index: usize) -> impl Iterator<Item = Option<(f64, f64)>> {
+        self.frames.iter().map(move |frame| {
+            let uav = frame.uavs.get(index).filter(|uav| uav.airborne)?;
+            self.place(uav).map(|at| (at.x, at.y))
+        })
+    }
+
+    /// Where everybody is at the end: a full dot in the air, an empty one on the ground.
+    fn uavs(&self, scene: &mut Scene, panel: &Panel) {
+        let uavs = self.last.map(|frame| frame.uavs.as_slice()).unwrap_or_default();
+        for (i, uav) in uavs.iter().enumerate().rev() {
+            let Some(at) = self.place(uav) else { continue };
+            let spot = panel.at(at.x, at.y);
+            if uav.airborne {
+                dot(scene, spot, 4.0, &colour::of_uav(i, self.flown), &INK);
+            } else {
+                dot(scene, spot, 2.5, &FREE, &INK);
+            }
+        }
+    }
+
+    fn legend(&self, scene: &mut Scene, panel: &Panel) {
+        let spot = legend(scene, panel, 0, "base");
+        square(scene, spot);
+        let (x, y) = legend(scene, panel, 1, "track");
+        rule(scene, (x - 8.0, y), (x + 8.0, y), &colour::of_uav(0, 1), 1.4, None);
+        let spot = legend(scene, panel, 2, "at the end");
+        dot(scene, spot, 4.0, &colour::of_uav(0, 1), &INK);
+        if self.last.is_some_and(|frame| frame.uavs.iter().any(|uav| !uav.airborne)) {
+            let spot = legend(scene, panel, 3, "on the ground");
+            dot(scene, spot, 2.5, &FREE, &INK);
+        }
+    }
+
+    /// A place of the map frame in the map file's own.
+    fn shown(&self, at: DVec2) -> DVec2 {
+        at + DVec2::from(self.course.map.offset_m())
+    }
+
+    fn place(&self, uav: &UavFrame) -> Option<DVec2> {
+        let at = DVec2::new(f64::from(uav.x_m), f64::from(uav.y_m));
+        at.is_finite().then(|| self.shown(at))
+    }
+
+    fn on_page(&self, panel: &Panel, at: DVec2) -> (f64, f64) {
+        let at = self.shown(at);
+        panel.at(at.x, at.y)
+    }
+}
+
+/// The base's mark.
+fn square(scene: &mut Scene, (x, y): (f64, f64)) {
+    scene.add(Primitive::Rect {
+        x: x - 4.5,
+        y: y - 4.5,
+        width: 9.0,
+        height: 9.0,
+        fill: INK,
+        stroke: None,
+        stroke_width: None,
+        opacity: None,
+    });
+}
+
+/// Positive when the loop runs counter-clockwise.
+fn doubled_area_m2(walls: &[Segment]) -> f64 {
+    walls.iter().map(|wall| wall.a.as_dvec2().perp_dot(wall.b.as_dvec2())).sum()
+}
