@@ -1,0 +1,208 @@
+//! Centering: stay in mid-tunnel and turn with it by four diagonal ToF beams (Laclau 2021, §5).
+
+use nalgebra::Vector2;
+
+use super::{Follow, Tof};
+
+crate::params! {
+    /// Gains and limits of [`center`].
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+    pub struct CenterParams {
+        /// Lateral gain, C_t in Laclau 2021, Eq. 20 (1/s).
+        pub c_t_per_s: f32 = 0.5, in 0.0..=20.0;
+        /// Yaw gain, C_r in Eq. 20 (rad/(s·m)).
+        pub c_r_rad_per_s_m: f32 = 3.5, in 0.0..=50.0;
+        /// Largest lateral speed (m/s).
+        pub lateral_max_mps: f32 = 0.4, in 0.0..=1.0;
+        /// Largest yaw rate (rad/s); 60°/s.
+        pub yaw_rate_max_radps: f32 = 1.0471976, in 0.0..=20.0;
+        /// Distance kept from a followed wall, along the beam, D in Eq. 21 (m).
+        pub wall_distance_m: f32 = 0.28, in 0.0..=2.0;
+        /// Difference of the two sides' front-to-rear ratios from which one wall is ignored (1).
+        pub invalid_ratio: f32 = 0.4, in 0.0..=10.0;
+        /// Leading beam at which forward speed is cut to its floor (m).
+        pub slow_from_m: f32 = 0.2, in 0.0..=2.0;
+        /// Length of leading beam over which forward speed recovers (m).
+        pub slow_over_m: f32 = 0.3, in 0.001..=2.0;
+        /// Smallest share of the forward speed that is left (1).
+        pub slow_floor: f32 = 0.2, in 0.0..=1.0;
+        /// Beam below which the UAV is pushed away from what it sees (m).
+        pub push_below_m: f32 = 0.2, in 0.0..=2.0;
+        /// Speed of that push (m/s).
+        pub push_mps: f32 = 0.2, in 0.0..=1.0;
+        /// What a beam reads that sees nothing (m).
+        pub tof_range_m: f32 = 2.0, in 0.1..=20.0;
+    }
+}
+
+/// What centering asks for until the next distances.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Centering {
+    /// Leftward speed, push included (m/s).
+    pub lateral_mps: f32,
+    /// Yaw rate, counter-clockwise (rad/s).
+    pub yaw_rate_radps: f32,
+    /// Share of the wished forward speed that is safe, 0 to 1.
+    pub speed_share: f32,
+    /// Forward speed to add, push away from what is near (m/s).
+    pub push_forward_mps: f32,
+}
+
+impl Default for Centering {
+    fn default() -> Self {
+        Self { lateral_mps: 0.0, yaw_rate_radps: 0.0, speed_share: 1.0, push_forward_mps: 0.0 }
+    }
+}
+
+/// Which walls the law steers by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Walls {
+    Both,
+    Left,
+    Right,
+}
+
+/// Lateral speed and yaw rate that keep a UAV in mid-tunnel (Eq. 20), or along one wall where the other
+/// is lost or a wall is chosen (Eq. 21). Flying `backward` it is the same law in the frame turned by
+/// half a turn: the rear beams lead, the yaw rate is unchanged. A beam that is not finite, negative or
+/// out of range counts as one that sees nothing.
+///
+/// ```
+/// use uchain_core::chain::{CenterParams, Follow, Tof, center};
+/// let nearer_the_right_wall = Tof { nw_m: 0.9, ne_m: 0.5, sw_m: 0.9, se_m: 0.5 };
+/// let asked = center(&nearer_the_right_wall, false, Follow::Centre, &CenterParams::default());
+/// assert!(asked.lateral_mps > 0.0); // to the left
+/// assert_eq!(asked.yaw_rate_radps, 0.0); // aligned already
+/// ```
+pub fn center(tof: &Tof, backward: bool, follow: Follow, params: &CenterParams) -> Centering {
+    let seen = |d: f32| if d >= 0.0 { d.min(params.tof_range_m) } else { params.tof_range_m };
+    let (nw, ne, sw, se) = (seen(tof.nw_m), seen(tof.ne_m), seen(tof.sw_m), seen(tof.se_m));
+    let (lead_left, lead_right) = if backward { (sw, se) } else { (nw, ne) };
+
+    let (lateral, yaw_rate) = match walls(nw, sw, ne, se, follow, params) {
+        Walls::Both => (lead_left - lead_right, (nw - sw) + (se - ne)),
+        Walls::Left => (lead_left - params.wall_distance_m, 2.0 * (nw - sw)),
+        Walls::Right => (params.wall_distance_m - lead_right, 2.0 * (se - ne)),
+    };
+    let lateral_mps =
+        (params.c_t_per_s * lateral).clamp(-params.lateral_max_mps, params.lateral_max_mps);
+    let yaw_rate_radps = (params.c_r_rad_per_s_m * yaw_rate)
+        .clamp(-params.yaw_rate_max_radps, params.yaw_rate_max_radps);
+
+    let nearest_ahead = lead_left.min(lead_right);
+    let speed_share =
+        ((nearest_ahead - params.slow_from_m) / params.slow_over_m).clamp(params.slow_floor, 1.0);
+    let push = push_away(nw, ne, sw, se, params);
+    Centering {
+        lateral_mps: lateral_mps + push.y,
+        yaw_rate_radps,
+        speed_share,
+        push_forward_mps: push.x,
+    }
+}
+
+/// Wall choice: the pilot's, or the two walls unless one side's beams disagree far more than the other's.
+fn walls(nw: f32, sw: f32, ne: f32, se: f32, follow: Follow, params: &CenterParams) -> Walls {
+    match follow {
+        Follow::Left => return Walls::Left,
+        Follow::Right => return Walls::Right,
+        Follow::Centre => {}
+    }
+    let ratio = |front: f32, rear: f32| (front - rear).abs() / (0.5 * (front + rear)).max(1.0e-6);
+    let (left, right) = (ratio(nw, sw), ratio(ne, se));
+    if (left - right).abs() < params.invalid_ratio {
+        Walls::Both
+    } else if left > right {
+        Walls::Right
+    } else {
+        Walls::Left
+    }
+}
+
+/// Sum of the pushes away from every beam that is too short (m/s, body frame).
+fn push_away(nw: f32, ne: f32, sw: f32, se: f32, params: &CenterParams) -> Vector2<f32> {
+    const HALF: f32 = core::f32::consts::FRAC_1_SQRT_2;
+    [(nw, 1.0, 1.0), (ne, 1.0, -1.0), (sw, -1.0, 1.0), (se, -1.0, -1.0)]
+        .into_iter()
+        .filter(|(d, _, _)| *d < params.push_below_m)
+        .fold(Vector2::zeros(), |sum, (_, x, y)| sum - Vector2::new(x, y) * (HALF * params.push_mps))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tof(nw_m: f32, ne_m: f32, sw_m: f32, se_m: f32) -> Tof {
+        Tof { nw_m, ne_m, sw_m, se_m }
+    }
+
+    fn forward(t: &Tof) -> Centering {
+        center(t, false, Follow::Centre, &CenterParams::default())
+    }
+
+    #[test]
+    fn eq_20_as_printed() {
+        let p = CenterParams::default();
+        let c = forward(&tof(0.8, 0.7, 0.75, 0.72));
+        assert!((c.lateral_mps - p.c_t_per_s * 0.1).abs() < 1e-6);
+        assert!((c.yaw_rate_radps - p.c_r_rad_per_s_m * (0.05 + 0.02)).abs() < 1e-5);
+    }
+
+    #[test]
+    fn where_the_right_wall_opens_the_left_one_is_followed_as_in_eq_21() {
+        let p = CenterParams::default();
+        let c = forward(&tof(0.5, 1.8, 0.52, 0.6));
+        assert!((c.lateral_mps - p.c_t_per_s * (0.5 - 0.28)).abs() < 1e-6);
+        assert!((c.yaw_rate_radps - 2.0 * p.c_r_rad_per_s_m * (0.5 - 0.52)).abs() < 1e-5);
+    }
+
+    #[test]
+    fn mirrored_distances_give_the_mirrored_command() {
+        for d in [(0.8, 0.7, 0.75, 0.72), (0.5, 1.8, 0.52, 0.6), (0.1, 0.5, 0.4, 0.3)] {
+            let c = forward(&tof(d.0, d.1, d.2, d.3));
+            let m = forward(&tof(d.1, d.0, d.3, d.2));
+            assert!((c.lateral_mps + m.lateral_mps).abs() < 1e-6);
+            assert!((c.yaw_rate_radps + m.yaw_rate_radps).abs() < 1e-6);
+            assert_eq!((c.speed_share, c.push_forward_mps), (m.speed_share, m.push_forward_mps));
+        }
+    }
+
+    #[test]
+    fn backward_is_the_same_law_turned_by_half_a_turn() {
+        let p = CenterParams::default();
+        for d in [(0.8, 0.7, 0.75, 0.72), (0.5, 1.8, 0.52, 0.6), (0.6, 0.5, 1.9, 0.55)] {
+            let back = center(&tof(d.0, d.1, d.2, d.3), true, Follow::Centre, &p);
+            // Turned by 180°, front left is rear right, and left is right.
+            let turned = forward(&tof(d.3, d.2, d.1, d.0));
+            assert!((back.lateral_mps + turned.lateral_mps).abs() < 1e-6);
+            assert!((back.yaw_rate_radps - turned.yaw_rate_radps).abs() < 1e-5);
+            assert_eq!(back.speed_share, turned.speed_share);
+        }
+    }
+
+    #[test]
+    fn a_chosen_wall_is_followed_whatever_the_other_one_does() {
+        let p = CenterParams::default();
+        let c = center(&tof(1.0, 0.4, 1.0, 0.4), false, Follow::Left, &p);
+        assert!(c.lateral_mps > 0.0);
+        let c = center(&tof(0.4, 1.0, 0.4, 1.0), false, Follow::Right, &p);
+        assert!(c.lateral_mps < 0.0);
+    }
+
+    #[test]
+    fn a_short_beam_pushes_away_and_slows_down() {
+        let c = forward(&tof(0.1, 2.0, 2.0, 2.0));
+        assert!(c.push_forward_mps < 0.0);
+        assert_eq!(c.speed_share, 0.2);
+        assert!(forward(&tof(0.19, 0.5, 0.5, 0.5)).lateral_mps < forward(&tof(0.21, 0.5, 0.5, 0.5)).lateral_mps);
+    }
+
+    #[test]
+    fn blind_it_flies_straight_on_and_rubbish_is_blindness() {
+        let blind = forward(&tof(2.0, 2.0, 2.0, 2.0));
+        assert_eq!(blind, Centering::default());
+        let rubbish = tof(f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -1.0);
+        assert_eq!(forward(&rubbish), blind);
+    }
+}

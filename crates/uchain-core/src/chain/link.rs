@@ -1,0 +1,222 @@
+//! One end of a link, and what a bad link makes a UAV do (Laclau 2021, §4.3).
+
+use super::{Heard, KalmanParams, Packet, ScalarKalman};
+
+crate::params! {
+    /// Thresholds of lost and bad links.
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+    pub struct LinkParams {
+        /// Silence after which a link is lost (s).
+        pub lost_s: f32 = 1.0, in 0.0..=600.0;
+        /// Filtered loss of the head's back link above which its forward command is zeroed (dB).
+        pub head_stop_db: f32 = 70.0, in -50.0..=300.0;
+        /// Filtered loss of the head's back link above which it is forced backward (dB).
+        pub head_back_db: f32 = 75.0, in -50.0..=300.0;
+        /// Filtered loss of a relay's back link above which it flies backward (dB).
+        pub relay_back_db: f32 = 80.0, in -50.0..=300.0;
+        /// How far a loss must fall below its threshold before the override ends (dB).
+        pub hysteresis_db: f32 = 3.0, in 0.0..=100.0;
+        /// Speed of a forced retreat (m/s).
+        pub retreat_mps: f32 = 0.2, in 0.0..=1.0;
+    }
+}
+
+/// Which end of a link this is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// The end toward the head: the link leads back to the base.
+    Front,
+    /// The end toward the base: the link leads on to the head.
+    Rear,
+}
+
+/// One end of a link: its filter, the neighbour's last words, and how long it has been silent.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LinkEnd {
+    end: End,
+    filter: Option<ScalarKalman>,
+    neighbour: Packet,
+    silent_s: f32,
+}
+
+impl LinkEnd {
+    /// An end that has heard nothing yet.
+    pub fn new(end: End) -> Self {
+        Self { end, filter: None, neighbour: Packet::default(), silent_s: 0.0 }
+    }
+
+    /// One decision period: a packet steps the filter (Algorithm 1), silence holds it. A packet whose
+    /// loss is not finite counts as silence.
+    pub fn hear(
+        &mut self,
+        heard: Option<&Heard>,
+        own_speed_mps: f32,
+        period_s: f32,
+        params: &KalmanParams,
+    ) {
+        let Some(heard) = heard.filter(|h| h.loss_db.is_finite()) else {
+            self.silent_s += period_s;
+            return;
+        };
+        self.silent_s = 0.0;
+        self.neighbour = heard.packet;
+        match &mut self.filter {
+            None => self.filter = ScalarKalman::start(heard.loss_db, params),
+            Some(filter) => {
+                let other_mps = heard.packet.ground_speed_mps;
+                let separating_mps = match self.end {
+                    End::Front => own_speed_mps - other_mps,
+                    End::Rear => other_mps - own_speed_mps,
+                };
+                filter.predict(separating_mps, period_s, params);
+                filter.update(heard.loss_db, params);
+            }
+        }
+    }
+
+    /// Filtered loss (dB); `None` before the first packet.
+    pub fn loss_db(&self) -> Option<f32> {
+        self.filter.map(|f| f.loss_db())
+    }
+
+    /// The neighbour's last words.
+    pub fn neighbour(&self) -> Packet {
+        self.neighbour
+    }
+
+    /// Silent for longer than `lost_s`; only a packet ends that.
+    pub fn is_lost(&self, params: &LinkParams) -> bool {
+        self.silent_s > params.lost_s
+    }
+}
+
+/// A threshold that is left only `hysteresis_db` below where it was crossed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Latch {
+    on: bool,
+}
+
+impl Latch {
+    fn over(&mut self, loss_db: f32, threshold_db: f32, hysteresis_db: f32) -> bool {
+        let limit_db = if self.on { threshold_db - hysteresis_db } else { threshold_db };
+        self.on = loss_db > limit_db;
+        self.on
+    }
+}
+
+/// What the state of its back link allows the head to do.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct HeadGuard {
+    stop: Latch,
+    back: Latch,
+}
+
+impl HeadGuard {
+    /// The pilot's speed, or what overrides it (m/s).
+    pub fn limit(&mut self, wish_mps: f32, back: &LinkEnd, params: &LinkParams) -> f32 {
+        let loss_db = back.loss_db().unwrap_or(f32::NEG_INFINITY);
+        let stop = self.stop.over(loss_db, params.head_stop_db, params.hysteresis_db);
+        let retreat = self.back.over(loss_db, params.head_back_db, params.hysteresis_db);
+        if retreat || back.is_lost(params) {
+            wish_mps.min(-params.retreat_mps)
+        } else if stop {
+            wish_mps.min(0.0)
+        } else {
+            wish_mps
+        }
+    }
+}
+
+/// What the state of its links makes a relay do.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct RelayGuard {
+    back: Latch,
+}
+
+impl RelayGuard {
+    /// The law's speed, or what overrides it (m/s): backward while the back link is too weak or lost,
+    /// else hovering while the front link is lost.
+    pub fn limit(&mut self, wish_mps: f32, back: &LinkEnd, front: &LinkEnd, params: &LinkParams) -> f32 {
+        let loss_db = back.loss_db().unwrap_or(f32::NEG_INFINITY);
+        let retreat = self.back.over(loss_db, params.relay_back_db, params.hysteresis_db);
+        if retreat || back.is_lost(params) {
+            -params.retreat_mps
+        } else if front.is_lost(params) {
+            0.0
+        } else {
+            wish_mps
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(loss_db: f32) -> LinkEnd {
+        let mut link = LinkEnd::new(End::Front);
+        let heard = Heard { loss_db, packet: Packet::default() };
+        link.hear(Some(&heard), 0.0, 0.2, &KalmanParams::default());
+        link
+    }
+
+    #[test]
+    fn the_head_is_stopped_then_pulled_back_and_let_go_only_below_the_hysteresis() {
+        let params = LinkParams::default();
+        let mut guard = HeadGuard::default();
+        assert_eq!(guard.limit(0.2, &at(69.0), &params), 0.2);
+        assert_eq!(guard.limit(0.2, &at(71.0), &params), 0.0);
+        assert_eq!(guard.limit(0.2, &at(76.0), &params), -0.2);
+        assert_eq!(guard.limit(0.2, &at(73.0), &params), -0.2);
+        assert_eq!(guard.limit(0.2, &at(71.0), &params), 0.0);
+        assert_eq!(guard.limit(0.2, &at(68.0), &params), 0.0);
+        assert_eq!(guard.limit(0.2, &at(66.0), &params), 0.2);
+    }
+
+    #[test]
+    fn a_link_is_lost_after_more_than_a_second_of_silence_and_found_with_one_packet() {
+        let (kalman, params) = (KalmanParams::default(), LinkParams::default());
+        let mut link = at(50.0);
+        for _ in 0..5 {
+            link.hear(None, 0.0, 0.2, &kalman);
+        }
+        assert!(!link.is_lost(&params));
+        let rubbish = Heard { loss_db: f32::NAN, packet: Packet::default() };
+        link.hear(Some(&rubbish), 0.0, 0.2, &kalman);
+        assert!(link.is_lost(&params), "a reading that is not finite counts as none");
+        assert_eq!(link.loss_db(), Some(50.0), "silence holds the estimate");
+        link.hear(Some(&Heard { loss_db: 50.0, packet: Packet::default() }), 0.0, 0.2, &kalman);
+        assert!(!link.is_lost(&params));
+    }
+
+    #[test]
+    fn both_ends_of_a_stretching_link_lead_upward() {
+        let kalman = KalmanParams::default();
+        let heard = |speed| Heard {
+            loss_db: 50.0,
+            packet: Packet { ground_speed_mps: speed, ..Packet::default() },
+        };
+        let (mut front, mut rear) = (LinkEnd::new(End::Front), LinkEnd::new(End::Rear));
+        for _ in 0..2 {
+            front.hear(Some(&heard(0.0)), 0.2, 0.2, &kalman); // I fly ahead, the neighbour stands
+            rear.hear(Some(&heard(0.2)), 0.0, 0.2, &kalman); // I stand, the neighbour flies ahead
+        }
+        assert!(front.loss_db() > Some(50.1));
+        assert_eq!(front.loss_db(), rear.loss_db());
+    }
+
+    #[test]
+    fn a_relay_prefers_its_way_home_to_its_front_link() {
+        let (kalman, params) = (KalmanParams::default(), LinkParams::default());
+        let mut lost = at(50.0);
+        for _ in 0..6 {
+            lost.hear(None, 0.0, 0.2, &kalman);
+        }
+        let mut guard = RelayGuard::default();
+        assert_eq!(guard.limit(0.1, &at(50.0), &at(50.0), &params), 0.1);
+        assert_eq!(guard.limit(0.1, &at(50.0), &lost, &params), 0.0);
+        assert_eq!(guard.limit(0.1, &lost, &lost, &params), -0.2);
+        assert_eq!(guard.limit(0.1, &at(81.0), &at(50.0), &params), -0.2);
+    }
+}

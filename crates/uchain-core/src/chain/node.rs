@@ -1,0 +1,165 @@
+//! A UAV of the chain: waits, takes off, and flies by the laws (Laclau 2021, Algorithm 1 and §4.3).
+
+use super::{
+    CenterParams, Centering, Command, End, EqualizeParams, Follow, HeadGuard, KalmanParams, LinkEnd,
+    LinkParams, Observation, Packet, RadioSlot, RelayGuard, Takeoff, TakeoffParams, center, equalize,
+};
+use crate::seam::Brain;
+
+/// A node's place in the chain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// The explorer: flies as its pilot asks, as long as its back link holds.
+    Head,
+    /// Levels its two links.
+    Relay,
+}
+
+/// The Params of every law a node flies by.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct NodeParams {
+    /// Filter of each link end.
+    pub kalman: KalmanParams,
+    /// Leveling of the two links.
+    pub equalize: EqualizeParams,
+    /// Staying in mid-tunnel.
+    pub center: CenterParams,
+    /// Leaving the ground.
+    pub takeoff: TakeoffParams,
+    /// Lost and bad links.
+    pub link: LinkParams,
+}
+
+/// The brain of one UAV.
+///
+/// ```
+/// use uchain_core::{chain::{Node, NodeParams, Observation, Pilot, RadioSlot, Role}, seam::Brain};
+/// let mut head = Node::new(Role::Head, NodeParams::default());
+/// let pilot = Pilot { speed_mps: 0.2, ..Pilot::default() };
+/// let seen = Observation { radio: Some(RadioSlot::default()), pilot, ..Observation::default() };
+/// assert!(head.decide(&seen).airborne); // the head takes off at its first decision
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    role: Role,
+    params: NodeParams,
+    airborne: bool,
+    flown_s: f32,
+    takeoff: Takeoff,
+    back: LinkEnd,
+    front: LinkEnd,
+    head_guard: HeadGuard,
+    relay_guard: RelayGuard,
+    centering: Centering,
+    forward_mps: f32,
+    follow: Follow,
+}
+
+impl Node {
+    /// A node on the ground.
+    pub fn new(role: Role, params: NodeParams) -> Self {
+        Self {
+            role,
+            params,
+            airborne: false,
+            flown_s: 0.0,
+            takeoff: Takeoff::default(),
+            back: LinkEnd::new(End::Front),
+            front: LinkEnd::new(End::Rear),
+            head_guard: HeadGuard::default(),
+            relay_guard: RelayGuard::default(),
+            centering: Centering::default(),
+            forward_mps: 0.0,
+            follow: Follow::Centre,
+        }
+    }
+
+    /// What it tells its neighbours, given its present ground speed.
+    pub fn say(&self, ground_speed_mps: f32) -> Packet {
+        Packet { ground_speed_mps, flown_s: self.flown_s, follow: self.follow }
+    }
+
+    /// Filtered loss of the link toward the base (dB); `None` before its first packet.
+    pub fn back_loss_db(&self) -> Option<f32> {
+        self.back.loss_db()
+    }
+
+    /// Filtered loss of the link toward the head (dB); `None` before its first packet.
+    pub fn front_loss_db(&self) -> Option<f32> {
+        self.front.loss_db()
+    }
+
+    /// One decision period on the ground.
+    fn wait(&mut self, radio: &RadioSlot) {
+        let period_s = self.params.equalize.decision_s;
+        self.front.hear(radio.front.as_ref(), 0.0, period_s, &self.params.kalman);
+        self.airborne = match self.role {
+            Role::Head => true,
+            Role::Relay => self.front.loss_db().is_some_and(|loss_db| {
+                let front_flown_s = self.front.neighbour().flown_s;
+                self.takeoff.due(loss_db, front_flown_s, period_s, &self.params.takeoff)
+            }),
+        };
+    }
+
+    /// One decision period in the air: filter both links, then choose a forward speed.
+    fn fly(&mut self, radio: &RadioSlot, seen: &Observation) {
+        let p = &self.params;
+        let period_s = p.equalize.decision_s;
+        let own_mps = seen.ground_speed_mps;
+        self.back.hear(radio.back.as_ref(), own_mps, period_s, &p.kalman);
+        self.front.hear(radio.front.as_ref(), own_mps, period_s, &p.kalman);
+        self.flown_s += period_s;
+        match self.role {
+            Role::Head => {
+                self.follow = seen.pilot.follow;
+                let wish_mps = if seen.pilot.speed_mps.is_finite() { seen.pilot.speed_mps } else { 0.0 };
+                self.forward_mps = self.head_guard.limit(wish_mps, &self.back, &p.link);
+            }
+            Role::Relay => {
+                self.follow = self.front.neighbour().follow;
+                let wish_mps = match (self.back.loss_db(), self.front.loss_db()) {
+                    (Some(back_db), Some(front_db)) => equalize(back_db, front_db, &p.equalize),
+                    _ => 0.0,
+                };
+                self.forward_mps =
+                    self.relay_guard.limit(wish_mps, &self.back, &self.front, &p.link);
+            }
+        }
+        let v_max_mps = p.equalize.v_max_mps;
+        self.forward_mps = self.forward_mps.clamp(-v_max_mps, v_max_mps);
+    }
+
+    fn command(&self) -> Command {
+        let settled_s = self.params.takeoff.rise_s + self.params.takeoff.hover_s;
+        if !self.airborne || self.flown_s < settled_s {
+            return Command { airborne: self.airborne, ..Command::default() };
+        }
+        let c = &self.centering;
+        Command {
+            forward_mps: self.forward_mps * c.speed_share + c.push_forward_mps,
+            lateral_mps: c.lateral_mps,
+            yaw_rate_radps: c.yaw_rate_radps,
+            airborne: true,
+        }
+    }
+}
+
+impl Brain for Node {
+    type Observation = Observation;
+    type Command = Command;
+
+    fn decide(&mut self, seen: &Observation) -> Command {
+        if let Some(radio) = &seen.radio {
+            if self.airborne {
+                self.fly(radio, seen);
+            } else {
+                self.wait(radio);
+            }
+        }
+        if let Some(tof) = &seen.tof {
+            self.centering = center(tof, self.forward_mps < 0.0, self.follow, &self.params.center);
+        }
+        self.command()
+    }
+}

@@ -1,0 +1,85 @@
+//! When the next UAV takes off (Laclau 2021, §4.3).
+
+crate::params! {
+    /// Conditions of [`Takeoff`].
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+    pub struct TakeoffParams {
+        /// Loss of the base link above which the chain needs one more UAV, s_min of Laclau 2021 read as
+        /// a loss (dB).
+        pub s_min_db: f32 = 60.0, in -50.0..=200.0;
+        /// How long the loss must stay above it (s). 0 in the paper; 1 s avoids needless late launches.
+        pub launch_hold_s: f32 = 1.0, in 0.0..=600.0;
+        /// How long the UAV ahead must have flown (s).
+        pub after_previous_s: f32 = 3.0, in 0.0..=600.0;
+        /// Time from the ground to flight height (s).
+        pub rise_s: f32 = 1.0, in 0.0..=60.0;
+        /// Time of hovering before the UAV follows its laws (s).
+        pub hover_s: f32 = 1.0, in 0.0..=60.0;
+    }
+}
+
+/// Watches the base link from the ground, for the next UAV in line.
+///
+/// ```
+/// use uchain_core::chain::{Takeoff, TakeoffParams};
+/// let params = TakeoffParams { launch_hold_s: 0.4, ..TakeoffParams::default() };
+/// let mut takeoff = Takeoff::default();
+/// assert!(!takeoff.due(61.0, 10.0, 0.2, &params)); // above s_min for 0.2 s
+/// assert!(!takeoff.due(61.0, 10.0, 0.2, &params));
+/// assert!(takeoff.due(61.0, 10.0, 0.2, &params));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Takeoff {
+    over_s: f32,
+}
+
+impl Takeoff {
+    /// Whether to take off now. `loss_db`: filtered loss to the last UAV of the chain;
+    /// `front_flown_s`: for how long that UAV has flown; `period_s`: time since the last call.
+    /// The hold starts with the first decision above the threshold, so that 0 launches at once.
+    pub fn due(&mut self, loss_db: f32, front_flown_s: f32, period_s: f32, params: &TakeoffParams) -> bool {
+        let over = loss_db > params.s_min_db && front_flown_s >= params.after_previous_s;
+        if !over {
+            self.over_s = 0.0;
+            return false;
+        }
+        // Half a period of slack: a hold is a whole number of periods, and sums of periods are rounded.
+        let due = self.over_s + 0.5 * period_s >= params.launch_hold_s;
+        self.over_s += period_s;
+        due || params.launch_hold_s == 0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_a_hold_the_first_sample_above_the_threshold_launches() {
+        let params = TakeoffParams { launch_hold_s: 0.0, ..TakeoffParams::default() };
+        let mut takeoff = Takeoff::default();
+        assert!(!takeoff.due(60.0, 10.0, 0.2, &params));
+        assert!(takeoff.due(60.1, 10.0, 0.2, &params));
+    }
+
+    #[test]
+    fn one_sample_below_the_threshold_starts_the_hold_anew() {
+        let params = TakeoffParams::default();
+        let mut takeoff = Takeoff::default();
+        for _ in 0..5 {
+            assert!(!takeoff.due(61.0, 10.0, 0.2, &params));
+        }
+        assert!(!takeoff.due(59.0, 10.0, 0.2, &params));
+        let waited = (0..20).take_while(|_| !takeoff.due(61.0, 10.0, 0.2, &params)).count();
+        assert_eq!(waited, 5);
+    }
+
+    #[test]
+    fn nobody_takes_off_before_the_uav_ahead_has_flown_for_a_while_or_on_a_reading_that_is_none() {
+        let params = TakeoffParams { launch_hold_s: 0.0, ..TakeoffParams::default() };
+        assert!(!Takeoff::default().due(70.0, 2.9, 0.2, &params));
+        assert!(!Takeoff::default().due(f32::NAN, 10.0, 0.2, &params));
+        assert!(Takeoff::default().due(70.0, 3.0, 0.2, &params));
+    }
+}
