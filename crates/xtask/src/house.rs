@@ -94,14 +94,11 @@ pub(crate) fn must_fail_with(command: &mut Command, message: &str) -> Result<()>
 }
 
 fn shown(command: &Command) -> String {
-    let mut text = String::new();
+    let mut words = Vec::new();
     for (key, value) in command.get_envs().filter(|(key, _)| *key != "CARGO_TARGET_DIR") {
-        text += &format!("{}={:?} ", key.to_string_lossy(), value.unwrap_or_default());
+        words.push(format!("{}='{}'", key.display(), value.unwrap_or_default().display()));
     }
-    text += &Path::new(command.get_program()).file_name().unwrap_or_default().to_string_lossy();
-    for arg in command.get_args() {
-        text += " ";
-        text += &arg.to_string_lossy();
-    }
-    text
+    words.push(Path::new(command.get_program()).file_name().unwrap_or_default().display().to_string());
+    words.extend(command.get_args().map(|arg| arg.display().to_string()));
+    words.join(" ")
 }

@@ -34,7 +34,7 @@ fn test(steps: &[&Step]) -> ExitCode {
         let begun = now();
         match (step.run)(&house) {
             Ok(Outcome::Passed) => {
-                println!("<== {} passed in {:.1} s", step.name, begun.elapsed().as_secs_f64())
+                println!("<== {} passed in {:.1} s", step.name, begun.elapsed().as_secs_f64());
             }
             Ok(Outcome::Skipped(why)) => {
                 println!("<== {} skipped: {why}", step.name);

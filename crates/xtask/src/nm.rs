@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeSet, path::Path, process::Command};
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Result, bail};
 
 use crate::house;
 
@@ -24,27 +24,23 @@ pub(crate) fn is_there() -> Result<bool> {
 
 /// Functions of the system's mathematics library that a dynamic binary imports.
 pub(crate) fn imported_maths(binary: &Path) -> Result<Vec<String>> {
-    let listing = house::read(Command::new("nm").args(["-D", "--undefined-only"]).arg(binary))
-        .with_context(|| format!("cannot read the imports of {}", binary.display()))?;
-    Ok(imports(&listing).into_iter().filter(|name| is_maths(name)).collect())
+    Ok(imported(binary)?.into_iter().filter(|name| is_maths(name)).collect())
 }
 
-/// Symbols that the members of an archive need and none of them brings.
-pub(crate) fn unresolved(archive: &Path) -> Result<BTreeSet<String>> {
-    let list = |what: &str| house::read(Command::new("nm").args([what, "--quiet"]).arg(archive));
-    let brought = imports(&list("--defined-only")?);
-    Ok(imports(&list("--undefined-only")?).difference(&brought).cloned().collect())
+/// Everything that a dynamic binary imports.
+pub(crate) fn imported(binary: &Path) -> Result<BTreeSet<String>> {
+    Ok(names(&house::read(Command::new("nm").args(["-D", "--undefined-only"]).arg(binary))?))
 }
 
 /// The names in a listing of `nm`, without their `@GLIBC` versions.
-fn imports(listing: &str) -> BTreeSet<String> {
-    let name = |line: &str| {
-        // "                 U exp@GLIBC_2.29", "0000000000000000 T fly"; headers have fewer or other words.
+fn names(listing: &str) -> BTreeSet<String> {
+    let name_of = |line: &str| {
+        // "                 U exp@GLIBC_2.29", "0000000000000000 T fly"
         let mut words = line.split_whitespace().rev();
         let (symbol, kind) = (words.next()?, words.next()?);
         (kind.len() == 1).then(|| symbol.split('@').next().unwrap_or(symbol).to_string())
     };
-    listing.lines().filter_map(name).collect()
+    listing.lines().filter_map(name_of).collect()
 }
 
 /// Whether a symbol belongs to the system's mathematics, in any precision.
@@ -70,9 +66,9 @@ mod tests {
     }
 
     #[test]
-    fn a_listing_gives_names_without_versions_headers_or_addresses() {
-        let listing = "\nlib.o:\n                 U exp@GLIBC_2.29\n0000000000000010 T fly\n                 w __gmon_start__\n";
-        let names: Vec<_> = imports(listing).into_iter().collect();
-        assert_eq!(names, ["__gmon_start__", "exp", "fly"]);
+    fn a_listing_gives_names_without_versions_or_addresses() {
+        let listing =
+            "                 U exp@GLIBC_2.29\n0000000000000010 T fly\n                 w __gmon_start__\n";
+        assert_eq!(names(listing).into_iter().collect::<Vec<_>>(), ["__gmon_start__", "exp", "fly"]);
     }
 }

@@ -1,4 +1,5 @@
-//! What the simulation must not do: call the system's exp, whose last bits depend on the CPU. Prints a hash of them.
+//! What the simulation must not do: call the system's exp, whose last bits depend on the CPU. Prints a hash of
+//! what it returns.
 
 use std::hint::black_box;
 

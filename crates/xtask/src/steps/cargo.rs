@@ -35,7 +35,8 @@ pub(super) fn doc(house: &House) -> Result<Outcome> {
     Ok(Outcome::Passed)
 }
 
-/// `--tests` means libraries, programs and integration tests; benchmarks are compiled by clippy, and run by hand.
+/// `--tests` means libraries, programs and integration tests; benchmarks are checked by clippy, and run by
+/// hand.
 pub(super) fn test(house: &House) -> Result<Outcome> {
     run(&mut house.cargo("test --locked --profile checked --workspace --tests"))?;
     Ok(Outcome::Passed)

@@ -1,5 +1,5 @@
-//! One scenario and one seed give one digest: twice, in debug and release, in the profile of the tests with every
-//! feature on, and with the CPU's FMA and AVX2 hidden from the system's libraries.
+//! One scenario and one seed give one digest: twice, in debug and release, in the profile of the tests with
+//! every feature on, and with the CPU's FMA and AVX2 hidden from the system's libraries.
 
 use std::process::Command;
 

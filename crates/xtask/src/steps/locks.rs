@@ -1,4 +1,5 @@
-//! A proof about another version of a dependency proves nothing: the mini-workspaces' lock files follow the root's.
+//! A proof about another version of a dependency proves nothing: the lock files of the mini-workspaces follow
+//! the project's.
 
 use std::{collections::BTreeSet, fs, path::Path};
 
@@ -14,8 +15,8 @@ pub(super) fn agree(house: &House) -> Result<Outcome> {
         let stray: Vec<_> = theirs.difference(&ours).cloned().collect();
         ensure!(
             stray.is_empty(),
-            "tests/{0}/Cargo.lock has {1}, which the project's Cargo.lock has not: \
-             cp Cargo.lock tests/{0}/ && cargo metadata --format-version 1 --manifest-path tests/{0}/Cargo.toml >/dev/null",
+            "tests/{0}/Cargo.lock has {1}, which the project's Cargo.lock has not; to mend it:\n\
+             cp Cargo.lock tests/{0}/ && cargo update --workspace --manifest-path tests/{0}/Cargo.toml",
             proof.0,
             stray.join(", ")
         );
@@ -48,7 +49,8 @@ mod tests {
 
     #[test]
     fn packages_of_a_registry_are_listed_and_our_own_are_not() {
-        let lock = "version = 4\n\n[[package]]\nname = \"libm\"\nversion = \"0.2.16\"\nsource = \"registry+x\"\n\n\
+        let lock = "version = 4\n\n\
+                    [[package]]\nname = \"libm\"\nversion = \"0.2.16\"\nsource = \"registry+x\"\n\n\
                     [[package]]\nname = \"uchain-core\"\nversion = \"0.1.0\"\n";
         assert_eq!(registry_packages(lock).into_iter().collect::<Vec<_>>(), ["libm 0.2.16"]);
     }
