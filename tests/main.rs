@@ -1,0 +1,35 @@
+//! The one integration binary: claims of the whole, a file each.
+
+/// Every promise of a law holds in the world it flies in.
+mod centering;
+/// Same seed, same bits.
+mod determinism;
+/// The shipped scenarios do what their descriptions say.
+mod scenarios;
+
+use std::path::PathBuf;
+
+use uchain_sim::config::{Course, Scenario, Source, builtin};
+
+/// A compiled-in scenario with keys set.
+fn course(name: &str, sets: &[&str]) -> Course {
+    let source = builtin(name).expect("a compiled-in scenario");
+    lay(&source, sets)
+}
+
+fn lay(source: &Source, sets: &[&str]) -> Course {
+    let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
+    let scenario = Scenario::parse(source, &sets).unwrap_or_else(|e| panic!("{e}"));
+    Course::lay(scenario, source).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The folder of shared data; `None`, said aloud, where it is absent. In the gate absence is a failure.
+fn shared_data() -> Option<PathBuf> {
+    let data = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
+    if data.is_dir() {
+        return Some(data);
+    }
+    assert!(std::env::var_os("CI").is_none(), "{} is missing: the gate needs it", data.display());
+    eprintln!("skipped: {} is not there", data.display());
+    None
+}

@@ -1,2 +1,66 @@
-//! The gate.
-fn main() {}
+//! The gate: every check of the project, one after the other, stopping at the first that fails.
+
+mod args;
+mod house;
+mod nm;
+mod steps;
+
+use std::{process::ExitCode, time::Instant};
+
+use args::Wish;
+use house::House;
+use steps::{Outcome, Step};
+
+fn main() -> ExitCode {
+    match args::parse(std::env::args().skip(1)) {
+        Ok(Wish::Help) => {
+            print!("{}", args::help());
+            ExitCode::SUCCESS
+        }
+        Ok(Wish::Test(steps)) => test(&steps),
+        Err(message) => {
+            eprintln!("{message}\n\n{}", args::help());
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn test(steps: &[&Step]) -> ExitCode {
+    let house = House::find();
+    let start = now();
+    let mut skipped = Vec::new();
+    for (i, step) in steps.iter().enumerate() {
+        println!("\n==> [{}/{}] {}: {}", i + 1, steps.len(), step.name, step.about);
+        let begun = now();
+        match (step.run)(&house) {
+            Ok(Outcome::Passed) => {
+                println!("<== {} passed in {:.1} s", step.name, begun.elapsed().as_secs_f64());
+            }
+            Ok(Outcome::Skipped(why)) => {
+                println!("<== {} skipped: {why}", step.name);
+                skipped.push(step.name);
+            }
+            Err(error) => {
+                eprintln!("\nstep `{}` failed: {error:#}", step.name);
+                eprintln!("to run it alone: cargo xtask test {}", step.name);
+                return ExitCode::FAILURE;
+            }
+        }
+    }
+    let seconds = start.elapsed().as_secs_f64();
+    let passed = steps.len() - skipped.len();
+    if skipped.is_empty() {
+        println!("\nall {passed} steps passed in {seconds:.0} s");
+    } else {
+        println!("\n{passed} steps passed in {seconds:.0} s, skipped: {}", skipped.join(", "));
+    }
+    ExitCode::SUCCESS
+}
+
+#[expect(
+    clippy::disallowed_methods,
+    reason = "the gate tells how long each step takes; nothing simulated runs here"
+)]
+fn now() -> Instant {
+    Instant::now()
+}

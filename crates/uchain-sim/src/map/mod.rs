@@ -1,1 +1,220 @@
 //! A tunnel: walls, free space, and the way through it.
+//!
+//! Free space is what an odd number of closed wall loops surrounds; all the rest, out to infinity, is rock. Walls
+//! themselves belong to free space. Coordinates are metres in the map frame, x to the right, y up.
+//!
+//! The parts: [`Map`] answers what is rock and what sees what; [`corridor`] builds a tunnel from a centre line;
+//! [`read_ros`] reads a `map_server` map; [`Geodesic`] measures the way through the tunnel.
+
+mod centre_line;
+mod corridor;
+mod error;
+mod geodesic;
+mod geometry;
+mod grid;
+mod rays;
+#[cfg(test)]
+mod tests;
+
+use std::ops::ControlFlow;
+
+use glam::{DVec2, Vec2};
+use serde::{Deserialize, Serialize};
+
+pub use centre_line::CentreLine;
+pub use corridor::{Vertex, corridor};
+pub use error::MapError;
+pub use geodesic::{Geodesic, MOST_CORNERS};
+pub use geometry::Segment;
+
+use geometry::{distance_squared, touch};
+use grid::Grid;
+
+/// Most walls a map may have.
+pub const MOST_WALLS: usize = 1_000_000;
+/// Farthest a wall may lie from the origin of the map frame, along x or y (m).
+pub const FARTHEST_M: f32 = 100_000.0;
+
+/// What cells of unknown state in a map file are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Unknown {
+    /// Nobody has seen it: solid.
+    #[default]
+    Rock,
+    /// Open space.
+    Free,
+}
+
+/// Walls and the free space between them.
+#[derive(Debug, Clone)]
+pub struct Map {
+    walls: Vec<Segment>,
+    /// Where each loop starts in `walls`.
+    loops: Vec<usize>,
+    bounds: (Vec2, Vec2),
+    offset_m: [f64; 2],
+    grid: Grid,
+    /// For each grid cell, whether its reference point is in rock; `None` where that point is on a wall.
+    rock_at: Vec<Option<bool>>,
+}
+
+impl Map {
+    /// A map from closed loops of corners (m); the last corner of a loop joins its first.
+    ///
+    /// Free space is the even-odd interior, whatever the loops' direction and nesting. Equal corners in a row
+    /// count once. Loops should neither cross nor touch: where they touch, sight passes a gap of width zero.
+    ///
+    /// # Errors
+    /// No loop, a loop of fewer than three distinct corners, more than [`MOST_WALLS`] walls, or a coordinate that
+    /// is not a number within ±[`FARTHEST_M`].
+    pub fn from_loops(loops: Vec<Vec<Vec2>>) -> Result<Self, MapError> {
+        if loops.is_empty() {
+            return Err(MapError::Count { what: "wall loops", got: 0, least: 1, most: MOST_WALLS });
+        }
+        let mut walls = Vec::new();
+        let mut starts = Vec::with_capacity(loops.len());
+        for mut corners in loops {
+            for (index, p) in corners.iter().enumerate() {
+                if !(p.x.abs() <= FARTHEST_M && p.y.abs() <= FARTHEST_M) {
+                    let (x, y, most) = (f64::from(p.x), f64::from(p.y), f64::from(FARTHEST_M));
+                    return Err(MapError::Coordinate { index, x, y, most });
+                }
+            }
+            corners.dedup();
+            while corners.len() > 1 && corners.first() == corners.last() {
+                corners.pop();
+            }
+            let (got, most) = (corners.len(), MOST_WALLS - walls.len());
+            if !(3..=most).contains(&got) {
+                return Err(MapError::Count {
+                    what: "distinct corners in a row of one wall loop",
+                    got,
+                    least: 3,
+                    most,
+                });
+            }
+            starts.push(walls.len());
+            let next = corners.iter().skip(1).chain(&corners);
+            walls.extend(corners.iter().zip(next).map(|(&a, &b)| Segment { a, b }));
+        }
+        let low = walls.iter().fold(Vec2::INFINITY, |low, wall| low.min(wall.a));
+        let high = walls.iter().fold(Vec2::NEG_INFINITY, |high, wall| high.max(wall.a));
+        let grid = Grid::new(&walls);
+        let mut map =
+            Self { walls, loops: starts, bounds: (low, high), offset_m: [0.0; 2], grid, rock_at: Vec::new() };
+        map.rock_at = map.rock_at_references();
+        Ok(map)
+    }
+
+    /// All walls, loop after loop; within a loop each wall starts where the one before ends.
+    pub fn walls(&self) -> &[Segment] {
+        &self.walls
+    }
+
+    /// The walls loop by loop.
+    pub fn loops(&self) -> impl Iterator<Item = &[Segment]> {
+        let ends = self.loops.iter().skip(1).copied().chain([self.walls.len()]);
+        self.loops.iter().zip(ends).map(|(&from, to)| &self.walls[from..to])
+    }
+
+    /// The least and the greatest corner of the box around all walls (m).
+    pub fn bounds(&self) -> (Vec2, Vec2) {
+        self.bounds
+    }
+
+    /// Where the map frame's origin lies in the map file's own frame (m); zero for a map that was built.
+    pub fn offset_m(&self) -> [f64; 2] {
+        self.offset_m
+    }
+
+    /// A point of the map file's own frame (m) in the map frame (m).
+    pub fn to_local(&self, [x, y]: [f64; 2]) -> Vec2 {
+        Vec2::new((x - self.offset_m[0]) as f32, (y - self.offset_m[1]) as f32)
+    }
+
+    /// Distance from `p` to the nearest wall (m), on whichever side of it `p` lies. NaN for a `p` that is no point.
+    pub fn clearance_m(&self, p: Vec2) -> f32 {
+        let p = p.as_dvec2();
+        if !p.is_finite() {
+            return f32::NAN;
+        }
+        let mut best = f64::INFINITY;
+        if self.grid.cell_at(p).is_none() {
+            for wall in &self.walls {
+                let (a, b) = wall.ends();
+                best = best.min(distance_squared(a, b, p));
+            }
+            return best.sqrt() as f32;
+        }
+        for ring in 0.. {
+            let sure_m = self.grid.ring(p, ring, |cell| {
+                for &wall in self.grid.walls_of(cell) {
+                    let (a, b) = self.walls[wall as usize].ends();
+                    best = best.min(distance_squared(a, b, p));
+                }
+            });
+            match sure_m {
+                Some(sure_m) if best > sure_m * sure_m => {}
+                _ => break,
+            }
+        }
+        best.sqrt() as f32
+    }
+
+    /// A place where two walls cross or touch other than end to end along their loop (m), if there is one. Exact.
+    pub fn first_crossing(&self) -> Option<Vec2> {
+        let next_of = self.next_walls();
+        for (index, wall) in self.walls.iter().enumerate() {
+            let (a, b) = wall.ends();
+            let found = self.grid.along(a, b, |cell| {
+                for &other in self.grid.walls_of(cell) {
+                    let other = other as usize;
+                    if other <= index {
+                        continue;
+                    }
+                    let (c, d) = self.walls[other].ends();
+                    let crossing = if next_of[index] == other {
+                        folds_back(a, b, d)
+                    } else if next_of[other] == index {
+                        folds_back(c, d, b)
+                    } else {
+                        touch((a, b), (c, d))
+                    };
+                    if crossing {
+                        return ControlFlow::Break(());
+                    }
+                }
+                ControlFlow::Continue(())
+            });
+            if found.is_break() {
+                return Some(wall.a.midpoint(wall.b));
+            }
+        }
+        None
+    }
+
+    /// For each wall, the wall that starts where it ends.
+    fn next_walls(&self) -> Vec<usize> {
+        let mut next: Vec<usize> = (1..=self.walls.len()).collect();
+        let ends = self.loops.iter().skip(1).copied().chain([self.walls.len()]);
+        for (&from, to) in self.loops.iter().zip(ends) {
+            next[to - 1] = from;
+        }
+        next
+    }
+}
+
+/// Whether `b → c` runs back over `a → b`.
+fn folds_back(a: DVec2, b: DVec2, c: DVec2) -> bool {
+    geometry::orient(a, b, c) == 0.0 && (b - a).dot(c - b) < 0.0
+}
+
+/// Without the feature `maps` there are no map files to read.
+///
+/// # Errors
+/// Always [`MapError::NoMapFiles`].
+#[cfg(not(feature = "maps"))]
+pub fn read_ros(yaml: &std::path::Path, _: Unknown, _: f64) -> Result<Map, MapError> {
+    Err(MapError::NoMapFiles { file: yaml.to_owned() })
+}

@@ -43,13 +43,15 @@ pub struct Frame {
     pub head_reach_m: f32,
 }
 
-/// Length of one tick (s). Time is counted in ticks; every rate divides it.
+/// Ticks of one second. Time is counted in ticks; every rate divides theirs.
+pub const TICKS_PER_S: f64 = 20.0;
+/// Length of one tick (s).
 pub const TICK_S: f32 = 0.05;
 
 impl Frame {
     /// Simulated time (s).
     pub fn time_s(&self) -> f64 {
-        self.tick as f64 * 0.05
+        self.tick as f64 / TICKS_PER_S
     }
 }
 

@@ -1,0 +1,150 @@
+//! The summary of a run, from its frames.
+
+use super::{LinkSummary, Summary};
+use crate::{
+    config::Scenario,
+    record::{Frame, LinkFrame, RecordError, Recorder},
+};
+
+/// Losses within this of each other count as converged in an exploration (dB).
+const CONVERGED_DB: f32 = 7.0;
+/// "At the end" is this long (s).
+const END_S: f64 = 10.0;
+
+/// Watches a run and sums it up. Memory: one entry per decision of the last 10 s, one per launch.
+#[derive(Debug)]
+pub struct Metrics {
+    duration_s: f64,
+    limit_db: f32,
+    time_s: f64,
+    launches_s: Vec<f64>,
+    uavs: usize,
+    at_the_end: Vec<Vec<LinkFrame>>,
+    converged_s: Option<f64>,
+    wall_contacts: u32,
+    uav_contacts: u32,
+    decisions: u64,
+    connected: u64,
+    head_reach_m: f32,
+}
+
+impl Metrics {
+    /// For a run of this scenario.
+    pub fn new(scenario: &Scenario) -> Self {
+        Self {
+            duration_s: scenario.duration_s,
+            limit_db: scenario.packets.limit_db,
+            time_s: 0.0,
+            launches_s: Vec::new(),
+            uavs: 0,
+            at_the_end: Vec::new(),
+            converged_s: None,
+            wall_contacts: 0,
+            uav_contacts: 0,
+            decisions: 0,
+            connected: 0,
+            head_reach_m: 0.0,
+        }
+    }
+
+    /// What the run came to.
+    pub fn summary(&self, scenario: &str, seed: u64, digest: String) -> Summary {
+        // Only decisions with the final number of links: a launch within the last seconds counts from there.
+        let count = self.at_the_end.last().map_or(0, Vec::len);
+        let last: Vec<&Vec<LinkFrame>> = self.at_the_end.iter().filter(|l| l.len() == count).collect();
+        let links = (0..count)
+            .filter_map(|i| {
+                let true_db = median(last.iter().map(|links| links[i].true_db))?;
+                let filtered_db = median(last.iter().filter_map(|links| links[i].filtered_db));
+                Some(LinkSummary { true_db, filtered_db })
+            })
+            .collect();
+        Summary {
+            scenario: scenario.to_owned(),
+            seed,
+            sim_s: self.time_s,
+            launches_s: self.launches_s.clone(),
+            uavs: self.uavs,
+            links,
+            spread_db: median(last.iter().filter_map(|links| spread_db(links))),
+            converged_s: self.converged_s,
+            wall_contacts: self.wall_contacts,
+            uav_contacts: self.uav_contacts,
+            connected_fraction: self.connected as f64 / self.decisions.max(1) as f64,
+            head_reach_m: self.head_reach_m,
+            digest,
+        }
+    }
+
+    fn decision(&mut self, frame: &Frame) {
+        self.decisions += 1;
+        self.connected += u64::from(frame.links.iter().all(|link| link.true_db < self.limit_db));
+        self.head_reach_m = self.head_reach_m.max(frame.head_reach_m);
+        if self.converged_s.is_none() && self.time_s >= 0.1 * self.duration_s {
+            let level = spread_db(&frame.links).is_some_and(|spread| spread < CONVERGED_DB);
+            self.converged_s = level.then_some(self.time_s);
+        }
+        if self.time_s > self.duration_s - END_S {
+            self.at_the_end.push(frame.links.clone());
+        }
+    }
+}
+
+impl Recorder for Metrics {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        self.time_s = frame.time_s();
+        let uavs = frame.uavs.iter().filter(|uav| uav.airborne).count();
+        if uavs > self.uavs {
+            self.launches_s.extend(std::iter::repeat_n(self.time_s, uavs - self.uavs));
+            self.converged_s = None;
+        }
+        self.uavs = uavs;
+        self.wall_contacts = frame.uavs.iter().map(|uav| uav.wall_contacts).sum();
+        self.uav_contacts = frame.uavs.iter().map(|uav| uav.uav_contacts).sum::<u32>() / 2;
+        if frame.decision {
+            self.decision(frame);
+        }
+        Ok(())
+    }
+}
+
+/// Largest minus smallest true loss (dB); `None` without two links.
+fn spread_db(links: &[LinkFrame]) -> Option<f32> {
+    if links.len() < 2 {
+        return None;
+    }
+    let low = links.iter().map(|link| link.true_db).fold(f32::INFINITY, f32::min);
+    let high = links.iter().map(|link| link.true_db).fold(f32::NEG_INFINITY, f32::max);
+    Some(high - low)
+}
+
+/// Median; the mean of the two middle values of an even number.
+fn median(values: impl Iterator<Item = f32>) -> Option<f32> {
+    let mut sorted: Vec<f32> = values.collect();
+    sorted.sort_by(f32::total_cmp);
+    let middle = sorted.len() / 2;
+    match sorted.len() {
+        0 => None,
+        n if n % 2 == 1 => Some(sorted[middle]),
+        _ => Some(0.5 * (sorted[middle - 1] + sorted[middle])),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_of_an_even_number_lies_between_the_middle_two() {
+        assert_eq!(median([3.0, 1.0, 2.0, 10.0].into_iter()), Some(2.5));
+        assert_eq!(median([3.0, 1.0, 2.0].into_iter()), Some(2.0));
+        assert_eq!(median(std::iter::empty()), None);
+    }
+
+    #[test]
+    fn one_link_has_no_spread() {
+        let link = |true_db| LinkFrame { true_db, filtered_db: None };
+        assert_eq!(spread_db(&[link(50.0)]), None);
+        assert_eq!(spread_db(&[link(50.0), link(57.0), link(52.0)]), Some(7.0));
+    }
+}

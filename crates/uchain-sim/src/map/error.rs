@@ -1,0 +1,119 @@
+//! What can be wrong with a map, with the numbers that say why.
+
+use std::path::PathBuf;
+
+/// Why a map, a corridor or a tunnel distance cannot be had.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MapError {
+    /// A quantity outside its range.
+    #[error("{what} = {got}: must lie in {low}..={high}")]
+    Range {
+        /// The quantity, unit included.
+        what: &'static str,
+        /// What was given.
+        got: f64,
+        /// Least value allowed.
+        low: f64,
+        /// Greatest value allowed.
+        high: f64,
+    },
+    /// A coordinate that is not a number, or that lies too far out for f32.
+    #[error("corner {index} at ({x}, {y}) m: both coordinates must be numbers within ±{most} m")]
+    Coordinate {
+        /// Which corner, counted from 0 within its line or loop.
+        index: usize,
+        /// x as given (m).
+        x: f64,
+        /// y as given (m).
+        y: f64,
+        /// Greatest magnitude allowed (m).
+        most: f64,
+    },
+    /// Too few or too many of something.
+    #[error("{what}: {got}, must be {least} to {most}")]
+    Count {
+        /// What was counted.
+        what: &'static str,
+        /// How many there are.
+        got: usize,
+        /// Fewest allowed.
+        least: usize,
+        /// Most allowed.
+        most: usize,
+    },
+    /// A leg of a centre line that has no room for the bends at its ends.
+    #[error("leg {leg} of the centre line is {length_m} m long; the corners at its ends need {needed_m} m")]
+    LegTooShort {
+        /// Which leg, counted from 0.
+        leg: usize,
+        /// Its length (m).
+        length_m: f64,
+        /// What the corners at its two ends take up (m).
+        needed_m: f64,
+    },
+    /// A bend whose inner wall would turn inside out.
+    #[error(
+        "corner {corner} bends with a radius of {bend_radius_m} m; half the width, {least_m} m, is the least"
+    )]
+    BendTooTight {
+        /// Which corner, counted from 0.
+        corner: usize,
+        /// The radius asked for (m).
+        bend_radius_m: f64,
+        /// Half the width (m).
+        least_m: f64,
+    },
+    /// Two walls that cross or touch where they must not.
+    #[error("walls cross or touch near ({x:.3}, {y:.3}) m")]
+    WallsCross {
+        /// Where (m).
+        x: f64,
+        /// Where (m).
+        y: f64,
+    },
+    /// A place that has to be in free space is in rock.
+    #[error("({x}, {y}) m is in rock")]
+    InRock {
+        /// x in the map frame (m).
+        x: f64,
+        /// y in the map frame (m).
+        y: f64,
+    },
+    /// A file that cannot be read.
+    #[error("{}: {why}", file.display())]
+    Read {
+        /// The file.
+        file: PathBuf,
+        /// What went wrong.
+        why: String,
+    },
+    /// A key of a map file that is absent or holds the wrong thing.
+    #[error("{}: {key} = {got}: expected {expected}", file.display())]
+    Key {
+        /// The file.
+        file: PathBuf,
+        /// The key.
+        key: &'static str,
+        /// What it holds.
+        got: String,
+        /// What it should hold.
+        expected: &'static str,
+    },
+    /// The picture a map file names cannot be read.
+    #[error("{}: image = {}: {why}", file.display(), image.display())]
+    Image {
+        /// The map file whose key `image` names the picture.
+        file: PathBuf,
+        /// The picture.
+        image: PathBuf,
+        /// What went wrong.
+        why: String,
+    },
+    /// This build was made without the feature `maps`.
+    #[error("{}: this build reads no map files; build with the feature `maps`", file.display())]
+    NoMapFiles {
+        /// The file asked for.
+        file: PathBuf,
+    },
+}

@@ -1,0 +1,142 @@
+//! The length of the shortest way through free space.
+//!
+//! A shortest way is straight but for corners of rock that stick into free space, where it bends round them. So the
+//! corners, each with its distance from the source (Dijkstra over taut edges, found as they are needed), answer
+//! every query: the last corner before a point is the one with the least total that sees it.
+
+use std::{cmp::Reverse, collections::BinaryHeap};
+
+use glam::{DVec2, Vec2};
+
+use super::{Map, MapError, geometry::orient};
+
+/// Most corners of rock a tunnel distance is worked out for: time grows with their square.
+pub const MOST_CORNERS: usize = 20_000;
+
+/// Distances through free space from one source.
+#[derive(Debug, Clone)]
+pub struct Geodesic {
+    source: Vec2,
+    /// The corners that can be reached.
+    corners: Vec<Corner>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Corner {
+    at: Vec2,
+    /// The ends of the two walls that meet here.
+    before: DVec2,
+    after: DVec2,
+    distance_m: f64,
+}
+
+impl Corner {
+    /// Whether a string from here to `p` can bend round the corner: both walls lie on one side of it.
+    fn is_taut(&self, p: DVec2) -> bool {
+        let at = self.at.as_dvec2();
+        let (before, after) = (orient(p, at, self.before), orient(p, at, self.after));
+        !super::geometry::opposite(before, after)
+    }
+}
+
+impl Map {
+    /// Distances through free space from `source`.
+    ///
+    /// # Errors
+    /// A `source` in rock; more than [`MOST_CORNERS`] corners that stick into free space; walls that cross or touch
+    /// (their crossings would be corners nobody listed).
+    pub fn geodesic(&self, source: Vec2) -> Result<Geodesic, MapError> {
+        if self.in_rock(source) {
+            return Err(MapError::InRock { x: f64::from(source.x), y: f64::from(source.y) });
+        }
+        if let Some(at) = self.first_crossing() {
+            return Err(MapError::WallsCross { x: f64::from(at.x), y: f64::from(at.y) });
+        }
+        let mut open: Vec<Corner> = self.loops().flat_map(|walls| self.corners_of_rock(walls)).collect();
+        if open.len() > MOST_CORNERS {
+            let what = "corners of rock in the map";
+            return Err(MapError::Count { what, got: open.len(), least: 0, most: MOST_CORNERS });
+        }
+        let from = source.as_dvec2();
+        for corner in &mut open {
+            if corner.is_taut(from) && self.sees(source, corner.at) {
+                corner.distance_m = from.distance(corner.at.as_dvec2());
+            }
+        }
+        let mut corners = Vec::with_capacity(open.len());
+        while let Some(nearest) = nearest_of(&open) {
+            let here = open.swap_remove(nearest);
+            let at = here.at.as_dvec2();
+            for corner in &mut open {
+                let there = corner.at.as_dvec2();
+                let distance_m = here.distance_m + at.distance(there);
+                if distance_m < corner.distance_m
+                    && here.is_taut(there)
+                    && corner.is_taut(at)
+                    && self.sees(here.at, corner.at)
+                {
+                    corner.distance_m = distance_m;
+                }
+            }
+            corners.push(here);
+        }
+        Ok(Geodesic { source, corners })
+    }
+
+    /// The corners of one loop whose rock spans less than half a turn.
+    fn corners_of_rock(&self, walls: &[super::Segment]) -> impl Iterator<Item = Corner> {
+        let arriving = walls.iter().skip(walls.len() - 1).chain(walls);
+        arriving.zip(walls).filter_map(|(arriving, leaving)| {
+            let (before, at, after) = (arriving.a.as_dvec2(), leaving.a.as_dvec2(), leaving.b.as_dvec2());
+            // A straight corner, or one that folds back, has no side to bend round, or two walls in one.
+            let between = (before - at).normalize_or_zero() + (after - at).normalize_or_zero();
+            if orient(before, at, after) == 0.0 {
+                return None;
+            }
+            let near_m = 1e-3 * (before - at).length().min((after - at).length()).min(1e-3);
+            let rock = self.in_rock_f64(at + between.normalize_or_zero() * near_m);
+            rock.then_some(Corner { at: leaving.a, before, after, distance_m: f64::INFINITY })
+        })
+    }
+}
+
+/// The corner with the least finite distance.
+fn nearest_of(open: &[Corner]) -> Option<usize> {
+    let nearest = open.iter().enumerate().min_by(|(_, p), (_, q)| p.distance_m.total_cmp(&q.distance_m))?;
+    (nearest.1.distance_m < f64::INFINITY).then_some(nearest.0)
+}
+
+impl Geodesic {
+    /// Where distances are measured from (m).
+    pub fn source(&self) -> Vec2 {
+        self.source
+    }
+
+    /// Length of the shortest way through free space from the source to `p` (m); `None` if `p` is in rock or out of
+    /// reach. `map` is the map this came from.
+    pub fn distance_m(&self, map: &Map, p: Vec2) -> Option<f32> {
+        if map.in_rock(p) {
+            return None;
+        }
+        if map.sees(self.source, p) {
+            return Some(self.source.distance(p));
+        }
+        let to = p.as_dvec2();
+        // Distances are positive, so their bits sort as they do.
+        let total = |corner: &Corner| corner.distance_m + corner.at.as_dvec2().distance(to);
+        let entries: Vec<_> = self
+            .corners
+            .iter()
+            .enumerate()
+            .map(|(i, corner)| Reverse((total(corner).to_bits(), i)))
+            .collect();
+        let mut nearest_first = BinaryHeap::from(entries);
+        while let Some(Reverse((bits, index))) = nearest_first.pop() {
+            let corner = self.corners.get(index)?;
+            if corner.is_taut(to) && map.sees(corner.at, p) {
+                return Some(f64::from_bits(bits) as f32);
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,5 @@
+//! Missions: who flies, who waits, what they tell each other.
+
+mod chain;
+
+pub use chain::ChainMission;

@@ -1,0 +1,7 @@
+//! Senses: the world in, readings out. Noise is a wrapper around the exact reading.
+
+mod flow;
+mod tof;
+
+pub use flow::{FlowNoise, FlowParams};
+pub use tof::{ParryRays, Rays, TofNoise, TofParams, read_tof};

@@ -1,0 +1,131 @@
+//! One tick: sense, decide, act, advance, record. Read this first.
+
+use uchain_core::chain::{Command, Observation};
+
+use crate::{
+    config::Course,
+    map::Geodesic,
+    mission::ChainMission,
+    record::{Frame, RecordError, Recorder, TICK_S, TICKS_PER_S, UavFrame},
+    seed::{Seed, Source},
+    sense::{FlowNoise, ParryRays, TofNoise, TofParams, read_tof},
+    world::World,
+};
+
+/// A chain mission under way.
+#[derive(Debug)]
+pub struct Sim<'a> {
+    world: World<'a>,
+    mission: ChainMission<'a>,
+    senses: Senses,
+    from_base: &'a Geodesic,
+    decision_ticks: u64,
+    tick: u64,
+    seen: Vec<Observation>,
+    asked: Vec<Command>,
+    frame: Frame,
+}
+
+/// The sensors of all UAVs.
+#[derive(Debug)]
+struct Senses {
+    rays: ParryRays,
+    tof: TofParams,
+    tof_ticks: u64,
+    tof_noise: Vec<TofNoise>,
+    flow: Vec<FlowNoise>,
+}
+
+/// A period as a whole number of ticks, at least one.
+fn ticks(period_s: f32) -> u64 {
+    ((period_s / TICK_S).round() as u64).max(1)
+}
+
+impl<'a> Sim<'a> {
+    /// A mission at its first tick.
+    pub fn new(course: &'a Course, seed: u64) -> Self {
+        let (scenario, seed) = (&course.scenario, Seed(seed));
+        let robots = 0..course.spawns.len() as u32;
+        let tof = |i| TofNoise::new(seed.stream(i, Source::Tof), scenario.tof.clone());
+        let flow = |i| FlowNoise::new(seed.stream(i, Source::Flow), scenario.flow.clone());
+        let senses = Senses {
+            rays: ParryRays::new(&course.map),
+            tof: scenario.tof.clone(),
+            tof_ticks: ticks(scenario.tof.period_s),
+            tof_noise: robots.clone().map(tof).collect(),
+            flow: robots.clone().map(flow).collect(),
+        };
+        let spawns = course.spawns.iter().map(|s| (s.at, s.heading_rad));
+        Self {
+            world: World::new(&course.map, scenario.motion.clone(), spawns),
+            mission: ChainMission::new(course, seed),
+            senses,
+            from_base: &course.from_base,
+            decision_ticks: ticks(scenario.equalize.decision_s),
+            tick: 0,
+            seen: vec![Observation::default(); robots.len()],
+            asked: vec![Command::default(); robots.len()],
+            frame: Frame::default(),
+        }
+    }
+
+    /// One tick.
+    ///
+    /// # Errors
+    /// Only the recorder's own.
+    pub fn step(&mut self, out: &mut impl Recorder) -> Result<(), RecordError> {
+        let decision = self.tick.is_multiple_of(self.decision_ticks);
+        self.sense(decision);
+        self.mission.decide(&self.seen, &mut self.asked);
+        self.world.act(&self.asked);
+        self.world.advance();
+        self.tick += 1;
+        self.fill_frame(decision);
+        out.frame(&self.frame)
+    }
+
+    /// What every UAV may know at this instant.
+    fn sense(&mut self, decision: bool) {
+        let pilot = self.mission.pilot_at(self.tick as f64 / TICKS_PER_S);
+        let ranging = self.tick.is_multiple_of(self.senses.tof_ticks);
+        for (i, body) in self.world.bodies().iter().enumerate() {
+            let seen = &mut self.seen[i];
+            *seen = Observation { pilot, ..Observation::default() };
+            if ranging && body.airborne {
+                let exact = read_tof(&self.senses.rays, &self.world, i, &self.senses.tof);
+                seen.tof = Some(self.senses.tof_noise[i].apply(exact));
+            }
+            if decision {
+                seen.ground_speed_mps = self.senses.flow[i].read(body);
+            }
+        }
+        if decision {
+            self.mission.exchange(&self.world, &mut self.seen);
+        }
+    }
+
+    fn fill_frame(&mut self, decision: bool) {
+        let frame = &mut self.frame;
+        frame.tick = self.tick;
+        frame.decision = decision;
+        frame.uavs.clear();
+        frame.uavs.extend(self.world.bodies().iter().map(|body| UavFrame {
+            x_m: body.at.x,
+            y_m: body.at.y,
+            heading_rad: body.heading_rad,
+            forward_mps: body.forward_mps(),
+            airborne: body.airborne,
+            wall_contacts: body.wall_contacts,
+            uav_contacts: body.uav_contacts,
+        }));
+        if decision {
+            frame.links.clear();
+            frame.links.extend(self.mission.links());
+            let head = self.world.bodies()[0].at;
+            // A head pressed against a wall can stand a hair inside it; the last reach holds.
+            if let Some(reach_m) = self.from_base.distance_m(self.world.map(), head) {
+                frame.head_reach_m = reach_m;
+            }
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! How a commanded velocity becomes motion where nothing is in the way.
+
+use core::f32::consts::{PI, TAU};
+
+use glam::Vec2;
+use uchain_core::chain::Command;
+
+uchain_core::params! {
+    /// The body of a UAV: a disc that follows velocity commands with a lag.
+    #[derive(serde::Serialize, serde::Deserialize)]
+    #[serde(default, deny_unknown_fields)]
+    pub struct MotionParams {
+        /// Radius of the disc (m); a Crazyflie is 0.12 m wide.
+        pub radius_m: f32 = 0.06, in 0.01..=1.0;
+        /// Time constant of the velocity's first-order lag (s).
+        pub velocity_lag_s: f32 = 0.2, in 0.05..=10.0;
+        /// Time constant of the yaw rate's first-order lag (s).
+        pub yaw_lag_s: f32 = 0.1, in 0.05..=10.0;
+        /// Largest acceleration (m/s²).
+        pub accel_max_mps2: f32 = 2.0, in 0.01..=100.0;
+    }
+}
+
+/// Sub-steps of one tick, as rapier takes them.
+pub(super) const SUBSTEPS: u32 = 4;
+
+/// One UAV's state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Body {
+    /// Position (m).
+    pub at: Vec2,
+    /// Velocity in the map's frame (m/s).
+    pub velocity_mps: Vec2,
+    /// Direction of the body's x axis, counter-clockwise, in (−π, π] (rad).
+    pub heading_rad: f32,
+    /// Yaw rate (rad/s).
+    pub yaw_rate_radps: f32,
+    /// In the air. On the ground a UAV does not move and is in nobody's way.
+    pub airborne: bool,
+    /// Wall contacts begun so far.
+    pub wall_contacts: u32,
+    /// Contacts with other UAVs begun so far.
+    pub uav_contacts: u32,
+}
+
+impl Body {
+    /// A UAV standing on the ground.
+    pub fn new(at: Vec2, heading_rad: f32) -> Self {
+        Self {
+            at,
+            velocity_mps: Vec2::ZERO,
+            heading_rad,
+            yaw_rate_radps: 0.0,
+            airborne: false,
+            wall_contacts: 0,
+            uav_contacts: 0,
+        }
+    }
+
+    /// Unit vector of the body's x axis.
+    pub fn forward(&self) -> Vec2 {
+        let (sin, cos) = libm::sincosf(self.heading_rad);
+        Vec2::new(cos, sin)
+    }
+
+    /// Forward speed over ground (m/s).
+    pub fn forward_mps(&self) -> f32 {
+        self.velocity_mps.dot(self.forward())
+    }
+
+    /// Velocity and yaw rate follow the command with their lags, within the acceleration limit.
+    pub(super) fn steer(&mut self, command: &Command, tick_s: f32, params: &MotionParams) {
+        self.airborne = command.airborne;
+        if !self.airborne {
+            self.velocity_mps = Vec2::ZERO;
+            self.yaw_rate_radps = 0.0;
+            return;
+        }
+        let forward = self.forward();
+        let wish_mps = forward * command.forward_mps + forward.perp() * command.lateral_mps;
+        let change = (wish_mps - self.velocity_mps) * (tick_s / params.velocity_lag_s);
+        self.velocity_mps += change.clamp_length_max(params.accel_max_mps2 * tick_s);
+        self.yaw_rate_radps += (command.yaw_rate_radps - self.yaw_rate_radps) * (tick_s / params.yaw_lag_s);
+    }
+
+    /// Moves freely for one tick, with the very sums rapier forms: four steps of a quarter.
+    pub(super) fn glide(&mut self, tick_s: f32) {
+        let step_s = tick_s / SUBSTEPS as f32;
+        for _ in 0..SUBSTEPS {
+            self.at += self.velocity_mps * step_s;
+        }
+    }
+
+    /// Turns for one tick. The heading is ours: nothing physical turns a UAV.
+    pub(super) fn turn(&mut self, tick_s: f32) {
+        let turned = self.heading_rad + self.yaw_rate_radps * tick_s;
+        self.heading_rad = if turned > PI {
+            turned - TAU
+        } else if turned <= -PI {
+            turned + TAU
+        } else {
+            turned
+        };
+    }
+}

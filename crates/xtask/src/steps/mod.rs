@@ -1,0 +1,64 @@
+//! The steps of the gate, cheap ones first.
+
+mod cargo;
+mod digest;
+mod libm;
+mod locks;
+mod no_std;
+
+use anyhow::Result;
+
+use crate::house::{House, Proof};
+
+/// One check.
+pub(crate) struct Step {
+    /// What it is called on the command line.
+    pub(crate) name: &'static str,
+    /// What it checks, in half a line.
+    pub(crate) about: &'static str,
+    /// The check itself.
+    pub(crate) run: fn(&House) -> Result<Outcome>,
+}
+
+/// How a check ended that did not fail.
+pub(crate) enum Outcome {
+    /// What it claims holds.
+    Passed,
+    /// It could not be made here; why.
+    Skipped(String),
+}
+
+/// Links `uchain-core` and nothing else.
+const NO_STD: Proof = Proof("no_std");
+/// Links the simulation without its heavy rooms.
+const LIBM_ONLY: Proof = Proof("libm_only");
+
+/// All steps, in order.
+pub(crate) const STEPS: &[Step] = &[
+    Step { name: "fmt", about: "rustfmt changes nothing", run: cargo::fmt },
+    Step { name: "locks", about: "the proofs link what the project links", run: locks::agree },
+    Step { name: "clippy", about: "no warning anywhere", run: cargo::clippy },
+    Step {
+        name: "lean",
+        about: "core and simulation without their optional parts, no warning",
+        run: cargo::lean,
+    },
+    Step { name: "doc", about: "the documentation builds without a warning", run: cargo::doc },
+    Step { name: "test", about: "unit and integration tests", run: cargo::test },
+    Step { name: "doctest", about: "examples in the documentation", run: cargo::doctest },
+    Step {
+        name: "no-std",
+        about: "uchain-core links without std, heap or system mathematics",
+        run: no_std::links,
+    },
+    Step {
+        name: "libm",
+        about: "the simulation imports no mathematics from the system",
+        run: libm::imports_nothing,
+    },
+    Step {
+        name: "digest",
+        about: "one seed, one digest: debug, release, tests, a CPU without FMA",
+        run: digest::agrees,
+    },
+];

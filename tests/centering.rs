@@ -1,0 +1,146 @@
+//! Random passes through sharp corners, bends and straights, by the node that flies.
+
+use core::f32::consts::{FRAC_PI_2, PI};
+
+use glam::Vec2;
+use uchain_core::{
+    chain::{Heard, Node, NodeParams, Observation, Packet, Pilot, RadioSlot, Role},
+    seam::Brain,
+};
+use uchain_sim::{
+    map::{CentreLine, Map, Vertex, corridor},
+    seed::{Seed, Source, Stream},
+    sense::{ParryRays, TofNoise, TofParams, read_tof},
+    world::{MotionParams, World},
+};
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Shape {
+    SharpCorner,
+    Bend,
+    Straight,
+}
+
+/// One pass: everything that was drawn.
+#[derive(Debug, Clone, Copy)]
+struct Pass {
+    shape: Shape,
+    seed: u64,
+    width_m: f32,
+    /// +1 the tunnel turns left, −1 right.
+    side: f32,
+    backward: bool,
+    speed_mps: f32,
+    offset_m: f32,
+    askew_rad: f32,
+}
+
+#[derive(Debug, PartialEq)]
+enum End {
+    Clean,
+    Contact { after_m: f32 },
+    Stuck { after_m: f32 },
+}
+
+fn draw(shape: Shape, seed: u64) -> Pass {
+    let mut random: Stream = Seed(seed).stream(0, Source::Start);
+    let mut between = |low: f32, high: f32| low + (high - low) * random.uniform();
+    let width_m = between(0.6, 3.0);
+    Pass {
+        shape,
+        seed,
+        width_m,
+        side: if between(0.0, 1.0) < 0.5 { 1.0 } else { -1.0 },
+        backward: between(0.0, 1.0) < 0.5,
+        speed_mps: between(0.1, 0.3),
+        // Anywhere in the middle 40 % of the tunnel, up to 20° askew.
+        offset_m: between(-0.2, 0.2) * width_m,
+        askew_rad: between(-0.35, 0.35),
+    }
+}
+
+fn tunnel(pass: &Pass) -> (Map, CentreLine) {
+    let (width, side) = (f64::from(pass.width_m), f64::from(pass.side));
+    let leg = 2.0 + width;
+    let bend_radius_m = if pass.shape == Shape::Bend { 0.5 * width + 0.5 } else { 0.0 };
+    let (turn, end) = ((leg + bend_radius_m, 0.0), (leg + bend_radius_m, side * (leg + bend_radius_m)));
+    let vertex = |(x, y): (f64, f64), bend_radius_m| Vertex { x, y, bend_radius_m };
+    let line = match pass.shape {
+        Shape::Straight => vec![vertex((0.0, 0.0), 0.0), vertex((2.0 * leg, 0.0), 0.0)],
+        _ => vec![vertex((0.0, 0.0), 0.0), vertex(turn, bend_radius_m), vertex(end, 0.0)],
+    };
+    corridor(&line, width, false).unwrap()
+}
+
+fn fly(pass: &Pass) -> End {
+    let (map, line) = tunnel(pass);
+    let margin_m = 0.5 * pass.width_m + 0.3;
+    let (start, tangent_rad) = line.at(margin_m);
+    let along = Vec2::new(libm::cosf(tangent_rad), libm::sinf(tangent_rad));
+    // Backward, the tail leads.
+    let heading_rad = tangent_rad + pass.askew_rad + if pass.backward { PI } else { 0.0 };
+    let spawn = (start + along.perp() * pass.offset_m, heading_rad);
+    let mut world = World::new(&map, MotionParams::default(), [spawn].into_iter());
+    let (rays, tof) = (ParryRays::new(&map), TofParams::default());
+    let mut noise = TofNoise::new(Seed(pass.seed).stream(0, Source::Tof), tof.clone());
+    let mut node = Node::new(Role::Head, NodeParams::default());
+    let speed_mps = if pass.backward { -pass.speed_mps } else { pass.speed_mps };
+    let pilot = Pilot { speed_mps, ..Pilot::default() };
+    let good = Heard { loss_db: 40.0, packet: Packet::default() };
+
+    let goal_m = line.length_m() - margin_m;
+    let mut after_m = 0.0;
+    // Slowed to a fifth for a third of the way at the most, plus take-off and the corner.
+    let patience_ticks = (20.0 * (3.0 * goal_m / pass.speed_mps + 10.0)) as usize;
+    for tick in 0..patience_ticks {
+        let mut seen = Observation { pilot, ..Observation::default() };
+        if tick % 2 == 0 {
+            seen.tof = Some(noise.apply(read_tof(&rays, &world, 0, &tof)));
+        }
+        if tick % 4 == 0 {
+            seen.radio = Some(RadioSlot { back: Some(good), front: None });
+        }
+        let asked = node.decide(&seen);
+        world.act(&[asked]);
+        world.advance();
+        after_m = line.project(world.bodies()[0].at);
+        if world.bodies()[0].wall_contacts > 0 {
+            return End::Contact { after_m };
+        }
+        if after_m >= goal_m {
+            return End::Clean;
+        }
+    }
+    End::Stuck { after_m }
+}
+
+fn failures(shape: Shape, count: u64) -> Vec<(Pass, End)> {
+    (0..count)
+        .map(|seed| draw(shape, seed))
+        .map(|pass| (pass, fly(&pass)))
+        .filter(|(_, end)| *end != End::Clean)
+        .collect()
+}
+
+#[test]
+fn ninety_nine_of_a_hundred_sharp_corners_are_clean() {
+    let failures = failures(Shape::SharpCorner, 3200);
+    println!("{} of 3200 sharp corners failed", failures.len());
+    for failure in &failures {
+        println!("{failure:?}");
+    }
+    assert!(failures.len() <= 32, "{} of 3200 failed", failures.len());
+}
+
+#[test]
+fn bends_and_straights_are_clean() {
+    for shape in [Shape::Bend, Shape::Straight] {
+        let failures = failures(shape, 400);
+        println!("{} of 400 failed: {shape:?}", failures.len());
+        for failure in &failures {
+            println!("{failure:?}");
+        }
+        assert!(failures.len() <= 4, "{} of 400 failed: {shape:?}", failures.len());
+    }
+    let _ = FRAC_PI_2;
+}

@@ -1,0 +1,25 @@
+//! `digest SCENARIO SEED`: flies a compiled-in scenario and prints the digest of the run.
+
+use std::{env, error::Error, process::ExitCode};
+
+use uchain_sim::{config, run};
+
+fn main() -> ExitCode {
+    let args: Vec<String> = env::args().skip(1).collect();
+    match digest(&args) {
+        Ok(digest) => {
+            println!("{digest}");
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn digest(args: &[String]) -> Result<String, Box<dyn Error>> {
+    let [scenario, seed] = args else { return Err("usage: digest SCENARIO SEED".into()) };
+    let course = config::builtin(scenario)?;
+    Ok(run::run(&course, seed.parse()?, &mut ())?.digest)
+}

@@ -1,0 +1,40 @@
+use uchain_sim::{analyse::Summary, run::run};
+
+use crate::{course, lay, shared_data};
+
+fn thirty(name: &str) -> Vec<Summary> {
+    let course = course(name, &[]);
+    (1..=30).map(|seed| run(&course, seed, &mut ()).unwrap()).collect()
+}
+
+#[test]
+fn straight_corner_and_bend_level_their_links_without_touching_anything() {
+    for name in ["straight", "corner", "bend"] {
+        for s in thirty(name) {
+            let spread_db = s.spread_db.expect("more than one link");
+            assert!(spread_db <= 4.0, "{name}, seed {}: spread {spread_db} dB: {s:?}", s.seed);
+            assert_eq!((s.wall_contacts, s.uav_contacts), (0, 0), "{name}, seed {}", s.seed);
+        }
+    }
+}
+
+#[test]
+fn without_centering_the_corner_ends_in_the_wall() {
+    let blind = course("corner", &["center.c_t_per_s=0", "center.c_r_rad_per_s_m=0"]);
+    assert!(run(&blind, 1, &mut ()).unwrap().wall_contacts > 0);
+}
+
+#[test]
+fn a_chain_reaches_40_m_into_a_real_basement_and_stays_connected() {
+    if shared_data().is_none() {
+        return;
+    }
+    let source = uchain_sim::config::builtin("stata").unwrap();
+    let course = lay(&source, &[]);
+    for seed in 1..=3 {
+        let s = run(&course, seed, &mut ()).unwrap();
+        assert!(s.head_reach_m >= 40.0, "seed {seed}: {} m", s.head_reach_m);
+        assert!(s.connected_fraction >= 0.99, "seed {seed}: {}", s.connected_fraction);
+        assert_eq!((s.wall_contacts, s.uav_contacts), (0, 0), "seed {seed}");
+    }
+}
