@@ -19,6 +19,18 @@ fn straight_corner_and_bend_level_their_links_without_touching_anything() {
 }
 
 #[test]
+fn straight_corner_and_bend_come_within_3_db_of_the_optimum_with_at_most_one_relay_too_many() {
+    for name in ["straight", "corner", "bend"] {
+        for s in thirty(name) {
+            let gap_db = s.bottleneck_gap_db.expect("a tunnel of known middle");
+            assert!((-0.1..3.0).contains(&gap_db), "{name}, seed {}: {gap_db} dB", s.seed);
+            let needed = s.relays_needed.expect("a number that is enough");
+            assert!((needed..=needed + 1).contains(&s.relays_used), "{name}, seed {}: {s:?}", s.seed);
+        }
+    }
+}
+
+#[test]
 fn without_centering_the_corner_ends_in_the_wall() {
     let blind = course("corner", &["center.c_t_per_s=0", "center.c_r_rad_per_s_m=0"]);
     assert!(run(&blind, 1, &mut ()).unwrap().wall_contacts > 0);

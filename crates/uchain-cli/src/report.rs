@@ -70,6 +70,7 @@ impl<'a> Report<'a> {
             Some(spread_db) => line("spread", &format!("{spread_db:.1} dB, {converged}")),
             None => line("spread", "none, fewer than two links"),
         }
+        line("relays", &relays(summary));
         let launches: Vec<String> = summary.launches_s.iter().map(|at_s| format!("{at_s:.1}")).collect();
         line("launches", &format!("{} s", launches.join(", ")));
         line("contacts", &format!("{} wall, {} UAV", summary.wall_contacts, summary.uav_contacts));
@@ -78,4 +79,14 @@ impl<'a> Report<'a> {
         line("files", files);
         text
     }
+}
+
+/// Relays and worst link against the optimum.
+fn relays(summary: &Summary) -> String {
+    let used = summary.relays_used;
+    // Without a gap nobody knows the optimum: there is no link, or no middle of the tunnel.
+    let Some(gap_db) = summary.bottleneck_gap_db else { return format!("{used} used") };
+    let needed = summary.relays_needed.map_or("no number would do".to_owned(), |n| format!("{n} needed"));
+    let side = if gap_db < 0.0 { "better" } else { "worse" };
+    format!("{used} used, {needed}; worst link {:.1} dB {side} than the optimum", gap_db.abs())
 }

@@ -32,12 +32,12 @@ pub enum RunError {
 /// ```
 pub fn run(course: &Course, seed: u64, recorder: &mut impl Recorder) -> Result<Summary, RunError> {
     let mut sim = Sim::new(course, seed);
-    let mut metrics = Metrics::new(&course.scenario);
+    let mut metrics = Metrics::new(course);
     let mut digest = Digest::default();
     for _ in 0..total_ticks(course.scenario.duration_s) {
         sim.step(&mut ((&mut metrics, &mut digest), &mut *recorder))?;
     }
-    Ok(metrics.summary(&course.scenario.name, seed, digest.hex()))
+    Ok(metrics.summary(seed, digest.hex()))
 }
 
 /// Ticks of a run of this length.

@@ -1,8 +1,12 @@
 //! The summary of a run, from its frames.
 
+use std::collections::BTreeMap;
+
+use glam::Vec2;
+
 use super::{LinkSummary, Summary};
 use crate::{
-    config::Scenario,
+    config::Course,
     record::{Frame, LinkFrame, RecordError, Recorder},
 };
 
@@ -10,10 +14,13 @@ use crate::{
 const CONVERGED_DB: f32 = 7.0;
 /// "At the end" is this long (s).
 const END_S: f64 = 10.0;
+/// Heads within this of one another share one optimum (m).
+const SAME_DEPTH_M: f64 = 0.05;
 
 /// Watches a run and sums it up. Memory: one entry per decision of the last 10 s, one per launch and per UAV.
 #[derive(Debug)]
-pub struct Metrics {
+pub struct Metrics<'a> {
+    course: &'a Course,
     duration_s: f64,
     limit_db: f32,
     time_s: f64,
@@ -21,6 +28,8 @@ pub struct Metrics {
     airborne: Vec<bool>,
     down: Vec<(usize, f64)>,
     at_the_end: Vec<Vec<LinkFrame>>,
+    /// Where the head was at each of `at_the_end`.
+    heads: Vec<Vec2>,
     converged_s: Option<f64>,
     wall_contacts: u32,
     uav_contacts: u32,
@@ -29,10 +38,12 @@ pub struct Metrics {
     head_reach_m: f32,
 }
 
-impl Metrics {
-    /// For a run of this scenario.
-    pub fn new(scenario: &Scenario) -> Self {
+impl<'a> Metrics<'a> {
+    /// For a run of this course.
+    pub fn new(course: &'a Course) -> Self {
+        let scenario = &course.scenario;
         Self {
+            course,
             duration_s: scenario.duration_s,
             limit_db: scenario.packets.limit_db,
             time_s: 0.0,
@@ -40,6 +51,7 @@ impl Metrics {
             airborne: Vec::new(),
             down: Vec::new(),
             at_the_end: Vec::new(),
+            heads: Vec::new(),
             converged_s: None,
             wall_contacts: 0,
             uav_contacts: 0,
@@ -50,7 +62,7 @@ impl Metrics {
     }
 
     /// What the run came to.
-    pub fn summary(&self, scenario: &str, seed: u64, digest: String) -> Summary {
+    pub fn summary(&self, seed: u64, digest: String) -> Summary {
         // Only decisions with the final links: a launch or a failure within the last seconds counts from there.
         let uavs = |links: &Vec<LinkFrame>| links.iter().map(|link| link.uav).collect::<Vec<_>>();
         let in_the_end = self.at_the_end.last().map(uavs).unwrap_or_default();
@@ -65,12 +77,15 @@ impl Metrics {
             })
             .collect();
         Summary {
-            scenario: scenario.to_owned(),
+            scenario: self.course.scenario.name.clone(),
             seed,
             sim_s: self.time_s,
             outcome: self.outcome(),
             launches_s: self.launches_s.clone(),
             uavs: self.uavs(),
+            relays_used: self.uavs().saturating_sub(1),
+            relays_needed: self.relays_needed(),
+            bottleneck_gap_db: self.bottleneck_gap_db(),
             links,
             spread_db: median(last.iter().filter_map(|links| spread_db(links))),
             converged_s: self.converged_s,
@@ -128,11 +143,32 @@ impl Metrics {
         }
         if self.time_s > self.duration_s - END_S {
             self.at_the_end.push(frame.links.clone());
+            self.heads.push(frame.uavs.first().map_or(Vec2::NAN, |head| Vec2::new(head.x_m, head.y_m)));
         }
+    }
+
+    fn relays_needed(&self) -> Option<usize> {
+        let yardstick = self.course.yardstick()?;
+        let depth_m = yardstick.tunnel().depth_m(*self.heads.last()?);
+        yardstick.links_needed(depth_m).map(|links| links - 1)
+    }
+
+    fn bottleneck_gap_db(&self) -> Option<f32> {
+        let yardstick = self.course.yardstick()?;
+        let mut best_db = BTreeMap::new();
+        let gaps = self.at_the_end.iter().zip(&self.heads).filter_map(|(links, head)| {
+            let worst_db = links.iter().map(|link| link.true_db).max_by(f32::total_cmp)?;
+            let depth = (yardstick.tunnel().depth_m(*head) / SAME_DEPTH_M).round();
+            let best_db = *best_db
+                .entry((depth as i64, links.len()))
+                .or_insert_with(|| yardstick.optimum(depth * SAME_DEPTH_M, links.len()).bottleneck_db);
+            Some(worst_db - best_db as f32)
+        });
+        median(gaps)
     }
 }
 
-impl Recorder for Metrics {
+impl Recorder for Metrics<'_> {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         self.time_s = frame.time_s();
         self.take_offs(frame);

@@ -28,6 +28,15 @@ pub struct Summary {
     pub launches_s: Vec<f64>,
     /// UAVs in the air at the end.
     pub uavs: usize,
+    /// Relays in the air at the end: UAVs, the head left out.
+    pub relays_used: usize,
+    /// Fewest relays that keep every link within `takeoff.s_min_db` with the head at its last depth, placed by
+    /// someone who knows the map; `None` where no number does, or the tunnel's middle is not known.
+    pub relays_needed: Option<usize>,
+    /// How much worse the worst link is than that of the best chain with as many links and its head as deep, median
+    /// over the last 10 s (dB). The best chain stands in mid-tunnel, a real one need not: it can be a little
+    /// negative. `None` without links, or where the tunnel's middle is not known.
+    pub bottleneck_gap_db: Option<f32>,
     /// Links at the end, head first, base link last.
     pub links: Vec<LinkSummary>,
     /// Largest minus smallest true loss, median over the last 10 s (dB); `None` without two links.

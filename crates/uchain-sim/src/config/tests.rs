@@ -44,6 +44,21 @@ fn every_builtin_scenario_is_named_as_its_file_and_passes_its_checks() {
     }
 }
 
+#[test]
+fn depth_counts_from_the_base_to_the_goal() {
+    let course = |sets: &[&str]| {
+        let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
+        Course::read(&source(PLAIN), &sets).unwrap()
+    };
+    let at = glam::vec2(3.0, 0.1);
+    let tunnel = |course: Course| (course.tunnel.as_ref().unwrap().length_m(), course.depth_m(at));
+    assert_eq!(tunnel(course(&[])), (8.0, Some(3.0)));
+    assert_eq!(tunnel(course(&["chain.goal_m=[6, 0.2]"])), (6.0, Some(3.0)));
+    let back = ["chain.base_m=[7, 0]", "chain.heading_deg=180"];
+    let (length_m, depth_m) = tunnel(course(&back));
+    assert!((length_m - 7.6).abs() < 1e-6 && depth_m == Some(4.0), "{length_m} {depth_m:?}");
+}
+
 /// (old text, new text, what the message must hold).
 #[test]
 fn a_bad_line_is_named_with_its_key_and_the_nearest_known_name() {
@@ -130,6 +145,21 @@ fn a_bad_line_is_named_with_its_key_and_the_nearest_known_name() {
             "uavs = 3",
             "uavs = 3\nspawns_m = [[1, 0], [0.5, 0], [1, 0]]",
             &["plain.toml:10: chain.spawns_m.2 = [1, 0]: UAV 2 would wait at (1, 0) m, 0.000 m from UAV 0"],
+        ),
+        (
+            "uavs = 3",
+            "uavs = 3\ngoal_m = [9, 0]",
+            &["plain.toml:10: chain.goal_m = [9, 0]: the goal is in rock; expected free space"],
+        ),
+        (
+            "uavs = 3",
+            "uavs = 3\ngoal_m = [-0.4, 0]",
+            &["plain.toml:10: chain.goal_m = [-0.4, 0]: the goal lies behind the base"],
+        ),
+        (
+            "uavs = 3",
+            "uavs = 3\nendurance_s = 0",
+            &["plain.toml:10: chain.endurance_s = 0: must lie in 1..=86400"],
         ),
         ("speed_mps = 0.2", "speed_mps = 20", &["plain.toml:17: pilot.0.speed_mps = 20: must lie in -1..=1"]),
         (

@@ -10,6 +10,7 @@ pub const MOST_LINKS: usize = 1_001;
 /// Relays stand on samples, so a bottleneck read from here is one that can be had, and no less than the optimum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
+    depth_m: f64,
     step_m: f64,
     /// Row after row, one per number of links, one entry per sample.
     best_db: Vec<f64>,
@@ -61,7 +62,7 @@ impl Chart {
                 break;
             }
         }
-        Self { step_m, best_db, back, samples }
+        Self { depth_m, step_m, best_db, back, samples }
     }
 
     /// Most links it knows; with more, nothing gets better (or nobody asked).
@@ -76,7 +77,7 @@ impl Chart {
 
     /// Depth of the last sample, the tunnel's end (m).
     pub fn depth_m(&self) -> f64 {
-        self.step_m * (self.samples - 1) as f64
+        self.depth_m
     }
 
     /// Least worst link against depth (dB): entry i is a head at depth i · [`Self::step_m`]. `links` from 1; beyond
@@ -88,24 +89,24 @@ impl Chart {
 
     /// Losses from every sample that is not deeper than a head, to that head (dB).
     pub(super) fn losses_to(&self, loss_db: impl Fn(f64, f64) -> f64, head_m: f64) -> Vec<f64> {
-        let depths = (0..self.samples).map(|i| i as f64 * self.step_m).take_while(|&depth_m| depth_m <= head_m);
+        let depths =
+            (0..self.samples).map(|i| i as f64 * self.step_m).take_while(|&depth_m| depth_m <= head_m);
         depths.map(|depth_m| known(loss_db(depth_m, head_m))).collect()
     }
 
-    /// The best chain with relays on samples and a head in between: depths of base, relays and head, base first,
-    /// and its worst link (dB). `to_head_db` comes from [`Self::losses_to`].
-    pub(super) fn best(&self, to_head_db: &[f64], head_m: f64, links: usize) -> (Vec<f64>, f64) {
-        let mut depths_m = vec![head_m];
-        let mut best = (to_head_db.first().copied().unwrap_or(f64::INFINITY), 0);
-        if links > 1 {
-            for (j, (&link_db, &rest_db)) in to_head_db.iter().zip(self.bottleneck_db(links - 1)).enumerate() {
-                let worst_db = if link_db > rest_db { link_db } else { rest_db };
-                if worst_db < best.0 {
-                    best = (worst_db, j);
-                }
-            }
+    /// The worst link of the best chain with relays on samples, by the sample of the relay next to the head (dB).
+    /// `to_head_db` comes from [`Self::losses_to`].
+    pub(super) fn by_last_relay(&self, to_head_db: &[f64], links: usize) -> Vec<f64> {
+        if links < 2 {
+            return to_head_db.iter().take(1).copied().collect();
         }
-        let (worst_db, mut sample) = best;
+        let rest = self.bottleneck_db(links - 1).iter();
+        to_head_db.iter().zip(rest).map(|(&link_db, &rest_db)| link_db.max(rest_db)).collect()
+    }
+
+    /// The chain behind a relay on this sample, and a head: base first.
+    pub(super) fn chain(&self, last_relay: usize, head_m: f64, links: usize) -> Vec<f64> {
+        let (mut depths_m, mut sample) = (vec![head_m], last_relay);
         for links in (1..links).rev() {
             depths_m.push(sample as f64 * self.step_m);
             let row = (links.min(self.links_max()) - 1) * self.samples;
@@ -113,7 +114,7 @@ impl Chart {
         }
         depths_m.push(0.0);
         depths_m.reverse();
-        (depths_m, worst_db)
+        depths_m
     }
 }
 

@@ -21,6 +21,10 @@ pub const RESOLUTION_M: f64 = 1e-4;
 /// Chains whose worst links differ by no more than this are equally good (dB); of those the one with equal links
 /// is preferred.
 const EQUAL_DB: f64 = 1e-3;
+/// How many of the chart's best chains are refined, by the place of the relay next to the head, and how much worse
+/// than the best one they may start (dB).
+const DIPS: usize = 4;
+const DIP_DB: f64 = 10.0;
 
 /// A chain as good as can be. Everything is listed from the head on, as in a summary.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +42,8 @@ impl Optimum {
         let mut depths_m = base_first_m;
         depths_m.reverse();
         let pairs = depths_m.iter().zip(depths_m.iter().skip(1));
-        let link_loss_db: Vec<f64> = pairs.map(|(&front_m, &back_m)| known(loss_db(back_m, front_m))).collect();
+        let link_loss_db: Vec<f64> =
+            pairs.map(|(&front_m, &back_m)| known(loss_db(back_m, front_m))).collect();
         let bottleneck_db = link_loss_db.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         Self { depths_m, link_loss_db, bottleneck_db }
     }
@@ -57,7 +62,12 @@ impl Optimum {
 ///
 /// In every case the answer is a chain that can be had, with the losses it has. It is the better of two: the chart's,
 /// refined in shrinking windows, and that of the paper's bisection on the level.
-pub fn optimum(loss_db: &impl Fn(f64, f64) -> f64, chart: &Chart, head_depth_m: f64, links: usize) -> Optimum {
+pub fn optimum(
+    loss_db: &impl Fn(f64, f64) -> f64,
+    chart: &Chart,
+    head_depth_m: f64,
+    links: usize,
+) -> Optimum {
     let head_m = in_tunnel(chart, head_depth_m);
     let to_head_db = chart.losses_to(loss_db, head_m);
     optimum_from(loss_db, chart, &to_head_db, head_m, links)
@@ -75,9 +85,13 @@ fn optimum_from(
     links: usize,
 ) -> Optimum {
     let links = links.clamp(1, MOST_LINKS);
-    let (mut depths_m, mut worst_db) = chart.best(to_head_db, head_m, links);
-    refine::refine(loss_db, &mut depths_m, &mut worst_db, chart.step_m(), RESOLUTION_M);
-    let refined = Optimum::of(loss_db, depths_m);
+    let refined = starts(&chart.by_last_relay(to_head_db, links)).into_iter().map(|last_relay| {
+        let mut depths_m = chart.chain(last_relay, head_m, links);
+        refine::refine(loss_db, &mut depths_m, chart.step_m(), RESOLUTION_M);
+        Optimum::of(loss_db, depths_m)
+    });
+    let refined = refined.min_by(|a, b| a.bottleneck_db.total_cmp(&b.bottleneck_db));
+    let refined = refined.unwrap_or_else(|| Optimum::of(loss_db, vec![0.0, head_m]));
     match level::level(loss_db, head_m, links, refined.bottleneck_db + EQUAL_DB) {
         Some(equal) => {
             let equal = Optimum::of(loss_db, equal);
@@ -85,6 +99,18 @@ fn optimum_from(
         }
         None => refined,
     }
+}
+
+/// The dips of a curve, deepest first, as far as refining them may pay.
+fn starts(worst_db: &[f64]) -> Vec<usize> {
+    let at = |i: usize| worst_db.get(i).copied().unwrap_or(f64::INFINITY);
+    let is_dip = |&i: &usize| (i == 0 || at(i - 1) > at(i)) && at(i + 1) >= at(i);
+    let mut dips: Vec<usize> = (0..worst_db.len()).filter(is_dip).collect();
+    dips.sort_by(|&i, &j| at(i).total_cmp(&at(j)));
+    let least_db = dips.first().map_or(f64::INFINITY, |&i| at(i));
+    dips.retain(|&i| at(i) <= least_db + DIP_DB);
+    dips.truncate(DIPS);
+    dips
 }
 
 /// The chain of the paper's bisection on the level alone: the least level at which relays placed as far apart as it
@@ -105,20 +131,17 @@ pub fn links_needed(
 ) -> Option<usize> {
     let head_m = in_tunnel(chart, head_depth_m);
     let to_head_db = chart.losses_to(loss_db, head_m);
-    let enough = |links: usize| {
-        chart.best(&to_head_db, head_m, links).1 <= s_min_db
-            || level::farthest(loss_db, head_m, links, s_min_db).is_some()
-    };
-    // With one link more than the chart knows, the last one starts between its samples.
-    let found = (1..=chart.links_max() + 1).find(|&links| enough(links));
-    let mut needed = match found {
+    let within = |links| within(loss_db, chart, &to_head_db, head_m, links, s_min_db);
+    let on_samples =
+        |&links: &usize| chart.by_last_relay(&to_head_db, links).iter().any(|&db| db <= s_min_db);
+    // With one link more than the chart knows, the relay next to the head still has all samples to stand on.
+    let most = chart.links_max() + 1;
+    let mut needed = match (1..=most).find(on_samples) {
         Some(links) => links,
-        None if within(loss_db, chart, &to_head_db, head_m, chart.links_max() + 1, s_min_db) => {
-            chart.links_max() + 1
-        }
+        None if within(most) => most,
         None => return None,
     };
-    while needed > 1 && within(loss_db, chart, &to_head_db, head_m, needed - 1, s_min_db) {
+    while needed > 1 && within(needed - 1) {
         needed -= 1;
     }
     Some(needed)
@@ -133,5 +156,7 @@ fn within(
     links: usize,
     s_min_db: f64,
 ) -> bool {
-    optimum_from(loss_db, chart, to_head_db, head_m, links).bottleneck_db <= s_min_db
+    // The first is far cheaper, and mostly right where the answer is yes.
+    level::farthest(loss_db, head_m, links, s_min_db).is_some()
+        || optimum_from(loss_db, chart, to_head_db, head_m, links).bottleneck_db <= s_min_db
 }

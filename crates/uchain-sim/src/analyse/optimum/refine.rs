@@ -12,27 +12,23 @@ const ROUNDS: usize = 12;
 /// Moves the relays of `depths_m` (base first, base and head fixed) to the best chain in a window round each, all
 /// relays at once (dynamic programming over the windows); windows follow as long as that gains, then shrink, until
 /// places are `finest_m` apart.
-pub(super) fn refine(
-    loss_db: &impl Fn(f64, f64) -> f64,
-    depths_m: &mut [f64],
-    worst_db: &mut f64,
-    step_m: f64,
-    finest_m: f64,
-) {
+pub(super) fn refine(loss_db: &impl Fn(f64, f64) -> f64, depths_m: &mut [f64], step_m: f64, finest_m: f64) {
     if depths_m.len() < 3 {
         return;
     }
+    let pairs = depths_m.iter().zip(depths_m.iter().skip(1));
+    let mut worst_db = pairs.map(|(&a, &b)| known(loss_db(a, b))).fold(f64::NEG_INFINITY, f64::max);
     let mut step_m = step_m / FINER;
     loop {
         let last = step_m <= finest_m;
         step_m = step_m.max(finest_m);
         for _ in 0..ROUNDS {
             let (better, better_db) = best_in_windows(loss_db, depths_m, step_m);
-            if better_db >= *worst_db {
+            if better_db >= worst_db {
                 break;
             }
             depths_m.copy_from_slice(&better);
-            *worst_db = better_db;
+            worst_db = better_db;
         }
         if last {
             return;
@@ -54,7 +50,8 @@ fn best_in_windows(loss_db: &impl Fn(f64, f64) -> f64, depths_m: &[f64], step_m:
     let fixed = |depth_m| vec![Place { depth_m, worst_db: f64::NEG_INFINITY, behind: 0 }];
     let mut columns = vec![fixed(0.0)];
     for (i, &middle_m) in depths_m.iter().enumerate().skip(1) {
-        let mut column = if i + 1 == depths_m.len() { fixed(head_m) } else { window(middle_m, head_m, step_m) };
+        let mut column =
+            if i + 1 == depths_m.len() { fixed(head_m) } else { window(middle_m, head_m, step_m) };
         let behind = columns.last().map(Vec::as_slice).unwrap_or_default();
         for place in &mut column {
             place.worst_db = f64::INFINITY;

@@ -3,8 +3,10 @@
 use super::{Chart, MOST_LINKS, Optimum, links_needed, optimum};
 use crate::{config::Course, map::Tunnel};
 
-/// Distance between the samples of a course's chart (m), in tunnels of up to 150 m.
-const STEP_M: f64 = 0.1;
+/// Distance between the samples of a course's chart (m), in tunnels short enough for [`SAMPLES`] of them.
+const STEP_M: f64 = 0.05;
+/// Most samples of a course's chart.
+const SAMPLES: f64 = 500.0;
 
 /// What the best chain in a course's tunnel comes to.
 #[derive(Debug, Clone, Copy)]
@@ -27,7 +29,9 @@ impl Course {
     pub fn yardstick(&self) -> Option<Yardstick<'_>> {
         let tunnel = self.tunnel.as_ref()?;
         let loss_db = |a_m, b_m| self.loss_at_depths_db(a_m, b_m).unwrap_or(f64::NAN);
-        let chart = self.chart.get_or_init(|| Chart::new(loss_db, tunnel.length_m(), STEP_M, MOST_LINKS));
+        let depth_m = tunnel.length_m();
+        let step_m = STEP_M.max(depth_m / SAMPLES);
+        let chart = self.chart.get_or_init(|| Chart::new(loss_db, depth_m, step_m, MOST_LINKS));
         Some(Yardstick { course: self, tunnel, chart })
     }
 }

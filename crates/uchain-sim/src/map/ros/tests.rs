@@ -215,7 +215,8 @@ fn the_middle_of_the_stata_basement_is_a_little_longer_than_its_shortest_way() {
     let (from, to) = (map.to_local([-50.15, 34.03]), map.to_local([-4.0, 25.6]));
     let path = map.centre_path(from, to).unwrap();
     let shortest_m = map.geodesic(from).unwrap().distance_m(&map, to).unwrap();
-    assert!((1.0..1.07).contains(&(path.length_m() / shortest_m)), "{} {shortest_m}", path.length_m());
+    // The shortest way cuts three corners of a corridor 2.4 m wide, a metre each.
+    assert!((1.0..1.08).contains(&(path.length_m() / shortest_m)), "{} {shortest_m}", path.length_m());
     for i in 0..=10_000 {
         let p = path.at(path.length_m() * i as f32 / 10_000.0).0;
         assert!(!map.in_rock(p) && map.clearance_m(p) > 0.2, "{p}: {} m from a wall", map.clearance_m(p));
