@@ -14,7 +14,7 @@ pub(super) const FIGURE_WIDTH: f64 = 700.0;
 /// Room left of the axes for numbers and the label.
 const LEFT: f64 = 54.0;
 /// Room right of the axes for the legend.
-const RIGHT: f64 = 104.0;
+const RIGHT: f64 = 112.0;
 /// Width of the axes' box.
 pub(super) const BOX_WIDTH: f64 = FIGURE_WIDTH - LEFT - RIGHT;
 
