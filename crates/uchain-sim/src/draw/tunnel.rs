@@ -9,7 +9,7 @@ use kuva::render::{
 use super::{
     colour::{self, FREE, INK, ROCK, WALL},
     losses::thinned,
-    panel::{BOX_WIDTH, Panel, dot, legend, rule},
+    panel::{BOX_WIDTH, Panel, dot, legend, rule, unclip},
 };
 use crate::{
     analyse::Summary,
@@ -82,7 +82,7 @@ impl<'a> Tunnel<'a> {
         let (x, y) = self.on_page(panel, self.course.base.as_dvec2());
         square(scene, (x, y));
         self.uavs(scene, panel);
-        panel.unclip(scene);
+        unclip(scene);
         panel.axes(scene, "x (m)", "y (m)");
         self.legend(scene, panel);
     }
