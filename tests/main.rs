@@ -4,6 +4,8 @@
 mod centering;
 /// Same seed, same bits.
 mod determinism;
+/// Whatever goes wrong with the radio, a run ends in words.
+mod faults;
 /// The shipped scenarios do what their descriptions say.
 mod scenarios;
 

@@ -1,8 +1,10 @@
 //! Centering: stay in mid-tunnel and turn with it by four diagonal ToF beams (Laclau 2021, §5).
 
+mod firmware;
+
 use nalgebra::{Matrix2x4, Vector2, Vector4};
 
-use super::{Follow, Tof, firmware};
+use super::{Follow, Tof};
 
 /// Whose centering.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
