@@ -1,0 +1,270 @@
+//! The real binary: exit codes, files, messages.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    process::{Command, Output, Stdio},
+    time::Duration,
+};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// A short flight.
+const SHORT: &str = "duration_s=5";
+
+fn uchain(folder: &Path, args: &[&str]) -> Output {
+    command(folder, args).output().unwrap()
+}
+
+fn command(folder: &Path, args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_uchain"));
+    command.current_dir(folder).args(args).stdin(Stdio::null());
+    command
+}
+
+fn stdout(output: &Output) -> &str {
+    std::str::from_utf8(&output.stdout).unwrap()
+}
+
+fn stderr(output: &Output) -> &str {
+    std::str::from_utf8(&output.stderr).unwrap()
+}
+
+fn folder() -> TempDir {
+    tempfile::tempdir().unwrap()
+}
+
+/// Everything below a folder, sorted.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(files(&path));
+        }
+        found.push(path);
+    }
+    found.sort();
+    found
+}
+
+#[test]
+fn a_run_leaves_a_summary_and_a_picture_and_exits_with_0() {
+    let here = folder();
+    let output = uchain(here.path(), &["run", "corner", "--set", SHORT]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(stdout(&output).starts_with("corner, seed 1: 5 s simulated in "), "{}", stdout(&output));
+    assert!(stdout(&output).contains("runs/corner-s1/summary.json"), "{}", stdout(&output));
+    assert_eq!(stderr(&output), "", "no progress where there is no terminal");
+
+    let results = here.path().join("runs/corner-s1");
+    let names: Vec<_> = files(&results).iter().map(|path| path.file_name().unwrap().to_owned()).collect();
+    assert_eq!(names, ["run.png", "summary.json"]);
+    let picture = image::load_from_memory(&fs::read(results.join("run.png")).unwrap()).unwrap();
+    assert_eq!(picture.width(), 1400);
+}
+
+#[test]
+fn json_is_the_summary_file_and_holds_every_promised_key() {
+    let here = folder();
+    let args = ["run", "corner", "--set", SHORT, "--seed", "3", "--json", "--out", "results"];
+    let output = uchain(here.path(), &args);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_eq!(stdout(&output), fs::read_to_string(here.path().join("results/summary.json")).unwrap());
+
+    let summary: Value = serde_json::from_str(stdout(&output)).unwrap();
+    let promised = [
+        "scenario", "seed", "sim_s", "wall_s", "launches_s", "uavs", "links", "spread_db", "converged_s",
+        "wall_contacts", "uav_contacts", "connected_fraction", "head_reach_m", "digest", "version",
+    ];
+    for key in promised {
+        assert!(summary.get(key).is_some(), "{key} is missing in {summary}");
+    }
+    assert_eq!(summary["scenario"], "corner");
+    assert_eq!(summary["seed"], 3);
+    assert_eq!(summary["sim_s"], 5.0);
+    assert_eq!(summary["digest"].as_str().unwrap().len(), 16);
+    for link in summary["links"].as_array().unwrap() {
+        assert!(link["true_db"].is_number() && link.get("filtered_db").is_some(), "{link}");
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_digest_and_another_seed_another() {
+    let here = folder();
+    let digest = |seed: &str| {
+        let output = uchain(here.path(), &["run", "bend", "--set", SHORT, "--seed", seed, "--json"]);
+        let summary: Value = serde_json::from_str(stdout(&output)).unwrap();
+        summary["digest"].as_str().unwrap().to_owned()
+    };
+    let first = digest("5");
+    assert_eq!(first, digest("5"), "a run overwrites its own folder and repeats itself");
+    assert_ne!(first, digest("6"));
+}
+
+#[test]
+fn a_folder_that_holds_something_else_is_refused_without_force() {
+    let here = folder();
+    let run = |extra: &[&str]| {
+        let mut args = vec!["run", "straight", "--set", SHORT, "--quiet", "--out", "results"];
+        args.extend(extra);
+        uchain(here.path(), &args)
+    };
+    let first = run(&[]);
+    assert_eq!((first.status.code(), stdout(&first)), (Some(0), ""));
+    assert_eq!(run(&[]).status.code(), Some(0), "our own results are overwritten");
+
+    let letter = here.path().join("results/letter.txt");
+    fs::write(&letter, "dear").unwrap();
+    fs::remove_file(here.path().join("results/run.png")).unwrap();
+    let refused = run(&[]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(stderr(&refused).contains("results holds something else (letter.txt)"), "{}", stderr(&refused));
+    assert!(stderr(&refused).contains("--force"));
+    assert!(!here.path().join("results/run.png").exists());
+
+    assert_eq!(run(&["--force"]).status.code(), Some(0));
+    assert!(here.path().join("results/run.png").exists());
+    assert_eq!(fs::read_to_string(letter).unwrap(), "dear", "only our own files are replaced");
+}
+
+#[test]
+fn results_that_cannot_be_written_exit_with_1_and_a_file_as_folder_with_2() {
+    let here = folder();
+    fs::write(here.path().join("taken"), "").unwrap();
+    let run = |out: &str| uchain(here.path(), &["run", "straight", "--set", SHORT, "--out", out]);
+    assert_eq!(run("taken").status.code(), Some(2));
+    // A folder may stand where a result should go, if forced.
+    fs::create_dir_all(here.path().join("odd/run.png")).unwrap();
+    fs::write(here.path().join("odd/run.png/x"), "").unwrap();
+    let output = run("odd");
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    assert_eq!(files(&here.path().join("odd")).len(), 2, "no summary, nothing unfinished left behind");
+}
+
+#[test]
+fn wrong_arguments_exit_with_2_and_show_usage() {
+    let here = folder();
+    let table: &[&[&str]] = &[
+        &[],
+        &["fly"],
+        &["run"],
+        &["run", "corner", "--seed", "-1"],
+        &["run", "corner", "--set", "nothing"],
+        &["run", "corner", "--set", "=1"],
+        &["check", "corner", "--colour"],
+    ];
+    for args in table {
+        let output = uchain(here.path(), args);
+        assert_eq!(output.status.code(), Some(2), "{args:?}: {}", stderr(&output));
+        assert!(stderr(&output).contains("Usage: uchain"), "{args:?}: {}", stderr(&output));
+    }
+    assert_eq!(files(here.path()), [PathBuf::new(); 0]);
+}
+
+#[test]
+fn invalid_input_exits_with_3_says_where_and_writes_nothing() {
+    let here = folder();
+    let shown = uchain(here.path(), &["show", "corner"]);
+    let text = stdout(&shown).replacen("[chain]", "[equalize]\nk_db_per_n = 1.0\n\n[chain]", 1);
+    let line = 1 + text.lines().position(|line| line.starts_with("k_db_per_n")).unwrap();
+    fs::write(here.path().join("mine.toml"), &text).unwrap();
+    let before = files(here.path());
+
+    let mine = format!(
+        "error: mine.toml:{line}: unknown key 'equalize.k_db_per_n'; did you mean 'k_db_per_m'? (known: k_db_per_m, "
+    );
+    let table: &[(&[&str], &str)] = &[
+        (&["run", "mine.toml"], &mine),
+        (&["check", "./mine.toml"], "error: ./mine.toml:"),
+        (&["run", "mine.toml", "--out", "results", "--json"], &mine),
+        (&["run", "cornr"], "error: unknown scenario 'cornr'; did you mean 'corner'?"),
+        (&["run", "zzzzzzzz"], "or a path to a file such as ./zzzzzzzz.toml (known: bend, corner, stata, straight)"),
+        (&["run", "absent.toml"], "error: absent.toml: cannot read the scenario: No such file"),
+        (&["run", "./absent"], "error: ./absent: cannot read the scenario: No such file"),
+        (&["show", "corners"], "did you mean 'corner'?"),
+        (&["run", "corner", "--set", "chain.uavs=0"], "error: --set chain.uavs=0: chain.uavs = 0: must lie in 1..=1000"),
+        (&["run", "corner", "--set", "chain.uavs=many"], "chain.uavs = \"many\": expected a whole number"),
+        (&["run", "corner", "--set", "motion.radius=1"], "unknown key 'motion.radius'; did you mean 'radius_m'?"),
+        (&["run", "corner", "--set", "pilot.0.follow=lefd"], "did you mean 'left'? (known: centre, left, right)"),
+        (&["run", "corner", "--set", "chain.base_m=[0, 50]"], "chain.base_m = [0, 50]: the base is in rock"),
+        (&["run", "corner", "--set", "chain.spacing_m=0.05"], "two radii"),
+        (&["run", "corner", "--set", "duration_s=1e9"], "duration_s = 1e9: must lie in 0.05..=86400"),
+        (&["run", "stata", "--set", "map.ros.file=none.yaml"], "--set map.ros.file=none.yaml: map.ros.file: none.yaml"),
+    ];
+    for (args, wanted) in table {
+        let output = uchain(here.path(), args);
+        assert_eq!(output.status.code(), Some(3), "{args:?}: {}", stderr(&output));
+        assert!(stderr(&output).contains(wanted), "{args:?}\n  got    {}\n  wanted {wanted}", stderr(&output));
+        assert_eq!(stdout(&output), "", "{args:?}");
+        assert_eq!(files(here.path()), before, "{args:?}");
+    }
+}
+
+#[test]
+fn list_show_and_check_lead_from_a_name_to_a_file_of_ones_own() {
+    let here = folder();
+    let list = uchain(here.path(), &["list"]);
+    assert_eq!(list.status.code(), Some(0));
+    for name in ["bend", "corner", "stata", "straight"] {
+        assert!(stdout(&list).lines().any(|line| line.starts_with(name)), "{}", stdout(&list));
+    }
+    let shown = uchain(here.path(), &["show", "corner"]);
+    fs::write(here.path().join("mine.toml"), &shown.stdout).unwrap();
+    let check = uchain(here.path(), &["check", "mine.toml"]);
+    assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
+    assert!(stdout(&check).starts_with("ok: corner: "), "{}", stdout(&check));
+    assert!(stdout(&check).contains(" UAVs, ") && stdout(&check).contains(" walls, "), "{}", stdout(&check));
+}
+
+#[test]
+fn help_teaches_by_examples_and_lists_the_exit_codes() {
+    let here = folder();
+    let help = uchain(here.path(), &["--help"]);
+    assert_eq!(help.status.code(), Some(0));
+    for part in ["uchain run corner", "Exit codes:", "130  interrupted"] {
+        assert!(stdout(&help).contains(part), "{part}: {}", stdout(&help));
+    }
+    assert!(stdout(&uchain(here.path(), &["run", "--help"])).contains("--set takeoff.s_min_db=55"));
+    assert_eq!(stdout(&uchain(here.path(), &["--version"])), concat!("uchain ", env!("CARGO_PKG_VERSION"), "\n"));
+}
+
+/// Whether a process has a handler of its own for Ctrl-C by now.
+#[cfg(target_os = "linux")]
+fn listens_for_interrupt(pid: u32) -> bool {
+    let status = fs::read_to_string(format!("/proc/{pid}/status")).unwrap();
+    let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap();
+    u64::from_str_radix(caught.trim(), 16).unwrap() & 0b10 != 0
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn ctrl_c_ends_a_run_with_130_and_nothing_is_written() {
+    let here = folder();
+    let args = ["run", "corner", "--set", "duration_s=86400", "--out", "results"];
+    let mut child = command(here.path(), &args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    while child.try_wait().unwrap().is_none() && !listens_for_interrupt(child.id()) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130), "{}", stderr(&output));
+    assert!(stderr(&output).contains("of simulated time; nothing was written"), "{}", stderr(&output));
+    assert_eq!(files(here.path()), [PathBuf::new(); 0]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_is_no_error() {
+    let here = folder();
+    for args in ["list", "--help", "show corner", "run straight --set duration_s=5 --json"] {
+        let script = format!("\"$0\" {args} | true; exit \"${{PIPESTATUS[0]}}\"");
+        let shell = Command::new("bash")
+            .current_dir(here.path())
+            .args(["-c", &script, env!("CARGO_BIN_EXE_uchain")])
+            .output()
+            .unwrap();
+        assert_eq!((shell.status.code(), stderr(&shell)), (Some(0), ""), "{args}");
+    }
+}

@@ -1,1 +1,77 @@
-//! cli
+//! uchain on the command line: reads a scenario, flies it, leaves a summary and a picture.
+//!
+//! A library, so that other front ends (a wheel's console script) can call [`main_with`].
+
+mod args;
+mod exit;
+mod fly;
+mod output;
+mod report;
+mod watch;
+
+use std::{
+    ffi::OsString,
+    io::{self, Write},
+    process::ExitCode,
+};
+
+use uchain_sim::config::{ConfigError, Course, Scenario, Source, builtin, builtin_names};
+
+use args::{Asked, Command};
+use exit::Failure;
+
+/// Runs one command line; the first argument is the program's name. Results go to stdout, all else to
+/// stderr. The exit codes are listed by `uchain --help`.
+pub fn main_with(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
+    let done = match args::parse(args) {
+        Asked::Command(command) => obey(command),
+        Asked::Answered(code) => return code,
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            // Nobody is left to tell when stderr is gone.
+            let _ = writeln!(io::stderr(), "error: {failure}");
+            failure.exit().code()
+        }
+    }
+}
+
+fn obey(command: Command) -> Result<(), Failure> {
+    match command {
+        Command::Run(asked) => fly::fly(&asked),
+        Command::List => print(&list()?),
+        Command::Show { scenario } => print(&Source::find(&scenario)?.text),
+        Command::Check { scenario, set } => {
+            let course = Course::read(&Source::find(&scenario)?, &set)?;
+            let uavs = course.spawns.len();
+            print(&format!(
+                "ok: {}: {uavs} UAV{}, {} walls, {} s\n",
+                course.scenario.name,
+                if uavs == 1 { "" } else { "s" },
+                course.map.walls().len(),
+                course.scenario.duration_s,
+            ))
+        }
+    }
+}
+
+/// Name and description of every scenario that is compiled in.
+fn list() -> Result<String, ConfigError> {
+    let width = builtin_names().iter().map(|name| name.len()).max().unwrap_or(0);
+    let mut lines = String::new();
+    for source in builtin_names().iter().filter_map(|name| builtin(name)) {
+        let Scenario { name, description, .. } = Scenario::parse(&source, &[])?;
+        lines += &format!("{name:width$}  {description}\n");
+    }
+    Ok(lines)
+}
+
+/// Writes to stdout. A reader that went away (`| head`) has seen enough: no error.
+fn print(text: &str) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Stdout(error)),
+        _ => Ok(()),
+    }
+}

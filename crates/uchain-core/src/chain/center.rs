@@ -1,6 +1,6 @@
 //! Centering: stay in mid-tunnel and turn with it by four diagonal ToF beams (Laclau 2021, §5).
 
-use nalgebra::Vector2;
+use nalgebra::{Matrix2x4, Vector2, Vector4};
 
 use super::{Follow, Tof};
 
@@ -27,7 +27,7 @@ crate::params! {
         pub slow_over_m: f32 = 0.3, in 0.001..=2.0;
         /// Smallest share of the forward speed that is left (1).
         pub slow_floor: f32 = 0.2, in 0.0..=1.0;
-        /// Beam below which the UAV is pushed away from what it sees (m).
+        /// Beam below which the UAV is pushed to the other side, whatever the law says (m).
         pub push_below_m: f32 = 0.2, in 0.0..=2.0;
         /// Speed of that push (m/s).
         pub push_mps: f32 = 0.2, in 0.0..=1.0;
@@ -39,19 +39,17 @@ crate::params! {
 /// What centering asks for until the next distances.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Centering {
-    /// Leftward speed, push included (m/s).
+    /// Leftward speed (m/s).
     pub lateral_mps: f32,
     /// Yaw rate, counter-clockwise (rad/s).
     pub yaw_rate_radps: f32,
     /// Share of the wished forward speed that is safe, 0 to 1.
     pub speed_share: f32,
-    /// Forward speed to add, push away from what is near (m/s).
-    pub push_forward_mps: f32,
 }
 
 impl Default for Centering {
     fn default() -> Self {
-        Self { lateral_mps: 0.0, yaw_rate_radps: 0.0, speed_share: 1.0, push_forward_mps: 0.0 }
+        Self { lateral_mps: 0.0, yaw_rate_radps: 0.0, speed_share: 1.0 }
     }
 }
 
@@ -77,28 +75,32 @@ enum Walls {
 /// ```
 pub fn center(tof: &Tof, backward: bool, follow: Follow, params: &CenterParams) -> Centering {
     let seen = |d: f32| if d >= 0.0 { d.min(params.tof_range_m) } else { params.tof_range_m };
-    let (nw, ne, sw, se) = (seen(tof.nw_m), seen(tof.ne_m), seen(tof.sw_m), seen(tof.se_m));
+    let beams = Vector4::new(seen(tof.nw_m), seen(tof.ne_m), seen(tof.sw_m), seen(tof.se_m));
+    let [nw, ne, sw, se] = beams.data.0[0];
     let (lead_left, lead_right) = if backward { (sw, se) } else { (nw, ne) };
 
-    let (lateral, yaw_rate) = match walls(nw, sw, ne, se, follow, params) {
-        Walls::Both => (lead_left - lead_right, (nw - sw) + (se - ne)),
-        Walls::Left => (lead_left - params.wall_distance_m, 2.0 * (nw - sw)),
-        Walls::Right => (params.wall_distance_m - lead_right, 2.0 * (se - ne)),
-    };
-    let lateral_mps =
-        (params.c_t_per_s * lateral).clamp(-params.lateral_max_mps, params.lateral_max_mps);
-    let yaw_rate_radps = (params.c_r_rad_per_s_m * yaw_rate)
-        .clamp(-params.yaw_rate_max_radps, params.yaw_rate_max_radps);
+    let (law, aim) = steering(walls(nw, sw, ne, se, follow, params), backward, params);
+    let wish = law * beams - aim;
+    let lateral_mps = wish.x.clamp(-params.lateral_max_mps, params.lateral_max_mps);
+    let yaw_rate_radps = wish.y.clamp(-params.yaw_rate_max_radps, params.yaw_rate_max_radps);
 
     let nearest_ahead = lead_left.min(lead_right);
     let speed_share =
         ((nearest_ahead - params.slow_from_m) / params.slow_over_m).clamp(params.slow_floor, 1.0);
-    let push = push_away(nw, ne, sw, se, params);
-    Centering {
-        lateral_mps: lateral_mps + push.y,
-        yaw_rate_radps,
-        speed_share,
-        push_forward_mps: push.x,
+    let pushed_mps = push(nw.min(sw), ne.min(se), params);
+    Centering { lateral_mps: pushed_mps.unwrap_or(lateral_mps), yaw_rate_radps, speed_share }
+}
+
+/// The law as a linear map of the beams (NW, NE, SW, SE), and what to subtract: rows ẏ and ω.
+fn steering(walls: Walls, backward: bool, params: &CenterParams) -> (Matrix2x4<f32>, Vector2<f32>) {
+    // Shares of the leading and of the trailing beams in the lateral speed.
+    let (f, r) = if backward { (0.0, params.c_t_per_s) } else { (params.c_t_per_s, 0.0) };
+    let c_r = params.c_r_rad_per_s_m;
+    let at_wall = Vector2::new(params.c_t_per_s * params.wall_distance_m, 0.0);
+    match walls {
+        Walls::Both => (Matrix2x4::new(f, -f, r, -r, c_r, -c_r, -c_r, c_r), Vector2::zeros()),
+        Walls::Left => (Matrix2x4::new(f, 0.0, r, 0.0, 2.0 * c_r, 0.0, -2.0 * c_r, 0.0), at_wall),
+        Walls::Right => (Matrix2x4::new(0.0, -f, 0.0, -r, 0.0, -2.0 * c_r, 0.0, 2.0 * c_r), -at_wall),
     }
 }
 
@@ -120,13 +122,13 @@ fn walls(nw: f32, sw: f32, ne: f32, se: f32, follow: Follow, params: &CenterPara
     }
 }
 
-/// Sum of the pushes away from every beam that is too short (m/s, body frame).
-fn push_away(nw: f32, ne: f32, sw: f32, se: f32, params: &CenterParams) -> Vector2<f32> {
-    const HALF: f32 = core::f32::consts::FRAC_1_SQRT_2;
-    [(nw, 1.0, 1.0), (ne, 1.0, -1.0), (sw, -1.0, 1.0), (se, -1.0, -1.0)]
-        .into_iter()
-        .filter(|(d, _, _)| *d < params.push_below_m)
-        .fold(Vector2::zeros(), |sum, (_, x, y)| sum - Vector2::new(x, y) * (HALF * params.push_mps))
+/// The lateral speed that replaces the law's where a beam on one side, and none on the other, is too short.
+fn push(left_m: f32, right_m: f32, params: &CenterParams) -> Option<f32> {
+    match (left_m < params.push_below_m, right_m < params.push_below_m) {
+        (true, false) => Some(-params.push_mps),
+        (false, true) => Some(params.push_mps),
+        _ => None,
+    }
 }
 
 #[cfg(test)]
@@ -164,7 +166,7 @@ mod tests {
             let m = forward(&tof(d.1, d.0, d.3, d.2));
             assert!((c.lateral_mps + m.lateral_mps).abs() < 1e-6);
             assert!((c.yaw_rate_radps + m.yaw_rate_radps).abs() < 1e-6);
-            assert_eq!((c.speed_share, c.push_forward_mps), (m.speed_share, m.push_forward_mps));
+            assert_eq!(c.speed_share, m.speed_share);
         }
     }
 
@@ -191,11 +193,13 @@ mod tests {
     }
 
     #[test]
-    fn a_short_beam_pushes_away_and_slows_down() {
-        let c = forward(&tof(0.1, 2.0, 2.0, 2.0));
-        assert!(c.push_forward_mps < 0.0);
-        assert_eq!(c.speed_share, 0.2);
-        assert!(forward(&tof(0.19, 0.5, 0.5, 0.5)).lateral_mps < forward(&tof(0.21, 0.5, 0.5, 0.5)).lateral_mps);
+    fn a_short_beam_pushes_to_the_other_side_and_slows_down() {
+        for (tof, backward) in [(tof(0.19, 0.5, 0.5, 0.5), false), (tof(0.5, 0.5, 0.19, 0.5), true)] {
+            let c = center(&tof, backward, Follow::Centre, &CenterParams::default());
+            assert_eq!((c.lateral_mps, c.speed_share), (-0.2, 0.2));
+        }
+        // Squeezed from both sides, the law decides.
+        assert_eq!(forward(&tof(0.1, 0.1, 0.5, 0.5)).lateral_mps, 0.0);
     }
 
     #[test]

@@ -48,13 +48,7 @@ impl LinkEnd {
 
     /// One decision period: a packet steps the filter (Algorithm 1), silence holds it. A packet whose
     /// loss is not finite counts as silence.
-    pub fn hear(
-        &mut self,
-        heard: Option<&Heard>,
-        own_speed_mps: f32,
-        period_s: f32,
-        params: &KalmanParams,
-    ) {
+    pub fn hear(&mut self, heard: Option<&Heard>, own_speed_mps: f32, period_s: f32, params: &KalmanParams) {
         let Some(heard) = heard.filter(|h| h.loss_db.is_finite()) else {
             self.silent_s += period_s;
             return;
@@ -193,10 +187,8 @@ mod tests {
     #[test]
     fn both_ends_of_a_stretching_link_lead_upward() {
         let kalman = KalmanParams::default();
-        let heard = |speed| Heard {
-            loss_db: 50.0,
-            packet: Packet { ground_speed_mps: speed, ..Packet::default() },
-        };
+        let heard =
+            |speed| Heard { loss_db: 50.0, packet: Packet { ground_speed_mps: speed, ..Packet::default() } };
         let (mut front, mut rear) = (LinkEnd::new(End::Front), LinkEnd::new(End::Rear));
         for _ in 0..2 {
             front.hear(Some(&heard(0.0)), 0.2, 0.2, &kalman); // I fly ahead, the neighbour stands

@@ -122,8 +122,7 @@ impl Node {
                     (Some(back_db), Some(front_db)) => equalize(back_db, front_db, &p.equalize),
                     _ => 0.0,
                 };
-                self.forward_mps =
-                    self.relay_guard.limit(wish_mps, &self.back, &self.front, &p.link);
+                self.forward_mps = self.relay_guard.limit(wish_mps, &self.back, &self.front, &p.link);
             }
         }
         let v_max_mps = p.equalize.v_max_mps;
@@ -137,7 +136,7 @@ impl Node {
         }
         let c = &self.centering;
         Command {
-            forward_mps: self.forward_mps * c.speed_share + c.push_forward_mps,
+            forward_mps: self.forward_mps * c.speed_share,
             lateral_mps: c.lateral_mps,
             yaw_rate_radps: c.yaw_rate_radps,
             airborne: true,

@@ -80,7 +80,9 @@ impl Metrics {
         self.decisions += 1;
         self.connected += u64::from(frame.links.iter().all(|link| link.true_db < self.limit_db));
         self.head_reach_m = self.head_reach_m.max(frame.head_reach_m);
-        if self.converged_s.is_none() && self.time_s >= 0.1 * self.duration_s {
+        // In the tick of a launch the links are still those without the new UAV.
+        let whole = frame.links.len() == self.uavs;
+        if self.converged_s.is_none() && whole && self.time_s >= 0.1 * self.duration_s {
             let level = spread_db(&frame.links).is_some_and(|spread| spread < CONVERGED_DB);
             self.converged_s = level.then_some(self.time_s);
         }

@@ -2,9 +2,7 @@
 
 use glam::Vec2;
 
-use super::{
-    ConfigError, CorridorConfig, MapConfig, RosConfig, Scenario, Source, check, document::Document,
-};
+use super::{ConfigError, CorridorConfig, MapConfig, RosConfig, Scenario, Source, check, document::Document};
 use crate::map::{Geodesic, Map, MapError, Vertex, corridor, read_ros};
 
 /// Where a UAV waits, in the map's frame.

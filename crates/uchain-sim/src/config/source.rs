@@ -47,11 +47,7 @@ pub struct Source {
 /// ```
 pub fn builtin(name: &str) -> Option<Source> {
     let (name, text) = BUILTIN.iter().find(|(known, _)| *known == name)?;
-    Some(Source {
-        label: format!("<builtin {name}>"),
-        text: (*text).to_owned(),
-        folder: PathBuf::new(),
-    })
+    Some(Source { label: format!("<builtin {name}>"), text: (*text).to_owned(), folder: PathBuf::new() })
 }
 
 /// Names of the compiled-in scenarios, sorted.

@@ -33,7 +33,9 @@ impl<'a> Losses<'a> {
         let s_min_db = f64::from(course.scenario.takeoff.s_min_db);
         let (mut low_db, mut high_db) = (s_min_db - 8.0, s_min_db + 4.0);
         for link in frames.iter().flat_map(|frame| &frame.links) {
-            for loss_db in [Some(link.true_db), link.filtered_db].into_iter().flatten().filter(|l| l.is_finite()) {
+            for loss_db in
+                [Some(link.true_db), link.filtered_db].into_iter().flatten().filter(|l| l.is_finite())
+            {
                 low_db = low_db.min(f64::from(loss_db));
                 high_db = high_db.max(f64::from(loss_db));
             }

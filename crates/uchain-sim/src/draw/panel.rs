@@ -34,7 +34,7 @@ pub(super) struct Panel {
 }
 
 impl Panel {
-    /// Axes whose box starts `top` below the page's upper edge.
+    /// Axes with a grid, whose box starts `top` below the page's upper edge.
     pub(super) fn new(top: f64, height: f64, x_range: (f64, f64), y_range: (f64, f64)) -> Self {
         let layout = Layout::new(x_range, y_range)
             .with_width(FIGURE_WIDTH)
@@ -49,6 +49,12 @@ impl Panel {
             .with_box_axes();
         let computed = ComputedLayout::from_layout(&layout);
         Self { layout, computed }
+    }
+
+    /// The same without a grid.
+    pub(super) fn without_grid(mut self) -> Self {
+        self.layout.show_grid = false;
+        self
     }
 
     pub(super) fn left(&self) -> f64 {

@@ -75,7 +75,7 @@ impl<'a> Tunnel<'a> {
         let middle = (self.low_m + self.high_m) / 2.0;
         let half = DVec2::new(BOX_WIDTH, height) * m_per_unit / 2.0;
         let (low, high) = (middle - half, middle + half);
-        Panel::new(top, height, (low.x, high.x), (low.y, high.y))
+        Panel::new(top, height, (low.x, high.x), (low.y, high.y)).without_grid()
     }
 
     pub(super) fn draw(&self, scene: &mut Scene, panel: &Panel) {

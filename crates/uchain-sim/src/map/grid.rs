@@ -150,6 +150,21 @@ impl Grid {
         Some((p - low).min(high - p).min_element())
     }
 
+    /// Visits the walls of every cell that the box from `low` to `high` touches, some of them more than once.
+    #[cfg(feature = "maps")]
+    pub(super) fn within(&self, low: DVec2, high: DVec2, mut visit: impl FnMut(u32)) {
+        let (low, high) = ((low - self.origin) / self.cell_m, (high - self.origin) / self.cell_m);
+        let (Some(cols), Some(rows)) = (clip(low.x, high.x, self.cols), clip(low.y, high.y, self.rows))
+        else {
+            return;
+        };
+        for row in rows.0..=rows.1 {
+            for col in cols.0..=cols.1 {
+                self.walls_of(row * self.cols + col).iter().for_each(|&wall| visit(wall));
+            }
+        }
+    }
+
     /// Visits every cell the segment `a b` passes, from `a`'s row to `b`'s; a few neighbours may be visited too.
     pub(super) fn along(
         &self,

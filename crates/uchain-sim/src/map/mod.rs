@@ -13,6 +13,8 @@ mod geodesic;
 mod geometry;
 mod grid;
 mod rays;
+#[cfg(feature = "maps")]
+mod ros;
 #[cfg(test)]
 mod tests;
 
@@ -26,6 +28,8 @@ pub use corridor::{Vertex, corridor};
 pub use error::MapError;
 pub use geodesic::{Geodesic, MOST_CORNERS};
 pub use geometry::Segment;
+#[cfg(feature = "maps")]
+pub use ros::read_ros;
 
 use geometry::{distance_squared, touch};
 use grid::Grid;
@@ -164,10 +168,20 @@ impl Map {
 
     /// A place where two walls cross or touch other than end to end along their loop (m), if there is one. Exact.
     pub fn first_crossing(&self) -> Option<Vec2> {
+        let mut at = None;
+        let _ = self.each_crossing(|wall, _| {
+            at = self.walls.get(wall).map(|wall| wall.a.midpoint(wall.b));
+            ControlFlow::Break(())
+        });
+        at
+    }
+
+    /// Visits every pair of walls that cross or touch other than end to end along their loop, perhaps more than once.
+    fn each_crossing(&self, mut visit: impl FnMut(usize, usize) -> ControlFlow<()>) -> ControlFlow<()> {
         let next_of = self.next_walls();
         for (index, wall) in self.walls.iter().enumerate() {
             let (a, b) = wall.ends();
-            let found = self.grid.along(a, b, |cell| {
+            self.grid.along(a, b, |cell| {
                 for &other in self.grid.walls_of(cell) {
                     let other = other as usize;
                     if other <= index {
@@ -182,16 +196,13 @@ impl Map {
                         touch((a, b), (c, d))
                     };
                     if crossing {
-                        return ControlFlow::Break(());
+                        visit(index, other)?;
                     }
                 }
                 ControlFlow::Continue(())
-            });
-            if found.is_break() {
-                return Some(wall.a.midpoint(wall.b));
-            }
+            })?;
         }
-        None
+        ControlFlow::Continue(())
     }
 
     /// For each wall, the wall that starts where it ends.

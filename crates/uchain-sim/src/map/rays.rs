@@ -131,7 +131,7 @@ impl Map {
     }
 
     /// Whether `a b`, moved a hair to its left, starts in rock. Read off whichever end is clear of walls; if both
-    /// ends are on walls, off the middle of the longest stretch between cuts.
+    /// ends are on walls, off a point within the longest stretch between cuts.
     fn rock_at_start(&self, a: DVec2, b: DVec2, cuts: &Cuts) -> bool {
         if let Some(rock) = self.rock_side(a) {
             return rock;
@@ -146,18 +146,15 @@ impl Map {
         ends.extend(cuts.runs.iter().flat_map(|&(from, to)| [from, to]));
         ends.extend([0.0, 1.0]);
         ends.sort_unstable_by(f64::total_cmp);
-        let mut longest = 0.0;
-        let mut middle = None;
-        for (&from, &to) in ends.iter().zip(ends.iter().skip(1)) {
-            let t = f64::midpoint(from, to);
-            if to - from > longest && !cuts.runs.iter().any(|&(from, to)| from < t && t < to) {
-                longest = to - from;
-                middle = Some(t);
-            }
-        }
-        let Some(t) = middle else { return false };
-        let before = cuts.crossings.iter().filter(|&&(s, _)| s < t).count();
-        self.rock_side(a + (b - a) * t).unwrap_or(false) != (before % 2 == 1)
+        let in_run = |t: f64| cuts.runs.iter().any(|&(from, to)| from < t && t < to);
+        let stretches = ends.iter().zip(ends.iter().skip(1)).map(|(&from, &to)| (from, to - from));
+        let clear = stretches.filter(|&(from, length)| !in_run(from + length / 2.0));
+        let Some((from, length)) = clear.max_by(|p, q| p.1.total_cmp(&q.1)) else { return false };
+        let before = cuts.crossings.iter().filter(|&&(s, _)| s <= from).count();
+        // A corner may touch the stretch from aside; hardly at all three points.
+        let probes = [0.5, 0.381_966, 0.723_607].map(|share| a + (b - a) * (from + length * share));
+        let rock = probes.into_iter().find_map(|probe| self.rock_side(probe));
+        rock.unwrap_or(false) != (before % 2 == 1)
     }
 
     /// Whether `p` is in rock; `None` if it is on a wall. Counts the walls between `p` and its cell's reference.

@@ -44,8 +44,7 @@ impl<'a> ChainMission<'a> {
         let params = node_params(scenario);
         let count = course.spawns.len();
         let role = |i| if i == 0 { Role::Head } else { Role::Relay };
-        let radio =
-            |i| Radio::new(seed, i, scenario.radio.sigma_db, scenario.packets.clone());
+        let radio = |i| Radio::new(seed, i, scenario.radio.sigma_db, scenario.packets.clone());
         Self {
             base: course.base,
             pilot: &scenario.pilot,

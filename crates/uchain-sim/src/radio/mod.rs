@@ -3,5 +3,5 @@
 mod packets;
 mod path_loss;
 
-pub use packets::{Side, PacketParams, Radio};
+pub use packets::{PacketParams, Radio, Side};
 pub use path_loss::{PathLoss, PathLossParams};

@@ -3,7 +3,10 @@
 use core::f32::consts::FRAC_PI_4;
 
 use glam::Vec2;
-use parry2d::{query::{Ray, RayCast}, shape::Polyline};
+use parry2d::{
+    query::{Ray, RayCast},
+    shape::Polyline,
+};
 use uchain_core::chain::Tof;
 
 use crate::{map::Map, seed::Stream, world::World};
@@ -65,7 +68,8 @@ pub fn read_tof(rays: &impl Rays, world: &World<'_>, uav: usize, params: &TofPar
     let reach_m = params.range_m + world.radius_m();
     let near = |other: &Vec2| other.distance_squared(body.at) < reach_m * reach_m;
     let others = || {
-        let seen = |(i, other): (usize, &crate::world::Body)| (i != uav && other.airborne).then_some(other.at);
+        let seen =
+            |(i, other): (usize, &crate::world::Body)| (i != uav && other.airborne).then_some(other.at);
         bodies.iter().enumerate().filter_map(seen).filter(near)
     };
     let forward = body.forward();

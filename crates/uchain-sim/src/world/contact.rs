@@ -52,10 +52,7 @@ impl Contacts {
         }
         let handles = (0..count)
             .map(|_| {
-                let body = RigidBodyBuilder::dynamic()
-                    .lock_rotations()
-                    .can_sleep(false)
-                    .enabled(false);
+                let body = RigidBodyBuilder::dynamic().lock_rotations().can_sleep(false).enabled(false);
                 let disc = ColliderBuilder::ball(params.radius_m).friction(0.0).restitution(0.0);
                 physics.insert(body, disc).0
             })
@@ -101,10 +98,8 @@ impl Contacts {
             let stride_m = body.velocity_mps.length() * TICK_S;
             self.near[i] |= map.clearance_m(body.at) < self.radius_m + stride_m + REACH_SLACK_M;
             for (j, other) in bodies.iter().enumerate().skip(i + 1).filter(|(_, b)| b.airborne) {
-                let reach_m = 2.0 * self.radius_m
-                    + stride_m
-                    + other.velocity_mps.length() * TICK_S
-                    + REACH_SLACK_M;
+                let reach_m =
+                    2.0 * self.radius_m + stride_m + other.velocity_mps.length() * TICK_S + REACH_SLACK_M;
                 if body.at.distance_squared(other.at) < reach_m * reach_m {
                     self.near[i] = true;
                     self.near[j] = true;

@@ -1,5 +1,6 @@
 mod corridor;
 mod geodesic;
+mod oracle;
 mod queries;
 
 use glam::{Vec2, vec2};

@@ -1,0 +1,77 @@
+//! A run's summary, for programs and for people.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+use uchain_sim::analyse::Summary;
+
+/// `summary.json`, and what `--json` prints.
+#[derive(Debug, Serialize)]
+pub(crate) struct Report<'a> {
+    #[serde(flatten)]
+    summary: &'a Summary,
+    /// How long the computer flew (s); the only number here that differs from run to run.
+    wall_s: f64,
+    /// Version of uchain.
+    version: &'static str,
+}
+
+/// Most links listed to people.
+const LINKS_SHOWN: usize = 12;
+
+impl<'a> Report<'a> {
+    pub(crate) fn new(summary: &'a Summary, wall_s: f64) -> Self {
+        Self { summary, wall_s, version: env!("CARGO_PKG_VERSION") }
+    }
+
+    /// JSON with a newline at its end.
+    pub(crate) fn json(&self) -> Result<String, serde_json::Error> {
+        serde_json::to_string_pretty(self).map(|json| json + "\n")
+    }
+
+    /// A few aligned lines.
+    pub(crate) fn text(&self, files: &str) -> String {
+        let Self { summary, wall_s, .. } = self;
+        let mut text = format!(
+            "{}, seed {}: {} s simulated in {wall_s:.2} s\n",
+            summary.scenario, summary.seed, summary.sim_s
+        );
+        let mut line = |name: &str, value: &str| {
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "  {name:<10} {value}");
+        };
+        let in_the_air = match summary.uavs {
+            1 => "1 UAV".to_owned(),
+            n => format!("{n} UAVs"),
+        };
+        line("reach", &format!("{:.2} m, {in_the_air} in the air", summary.head_reach_m));
+        for (i, link) in summary.links.iter().enumerate().take(LINKS_SHOWN) {
+            let to = if i + 1 == summary.links.len() { "base".to_owned() } else { (i + 1).to_string() };
+            let filtered = match link.filtered_db {
+                Some(filtered_db) => format!("{filtered_db:>6.1} dB filtered"),
+                None => "never heard".to_owned(),
+            };
+            let ends = format!("UAV {i} - {to}");
+            let value = format!("{ends:<14} {:>6.1} dB true  {filtered}", link.true_db);
+            line(if i == 0 { "links" } else { "" }, &value);
+        }
+        if summary.links.len() > LINKS_SHOWN {
+            line("", &format!("… and {} more", summary.links.len() - LINKS_SHOWN));
+        }
+        let converged = match summary.converged_s {
+            Some(at_s) => format!("level at {at_s:.1} s"),
+            None => "never level".to_owned(),
+        };
+        match summary.spread_db {
+            Some(spread_db) => line("spread", &format!("{spread_db:.1} dB, {converged}")),
+            None => line("spread", "none, fewer than two links"),
+        }
+        let launches: Vec<String> = summary.launches_s.iter().map(|at_s| format!("{at_s:.1}")).collect();
+        line("launches", &format!("{} s", launches.join(", ")));
+        line("contacts", &format!("{} wall, {} UAV", summary.wall_contacts, summary.uav_contacts));
+        line("connected", &format!("{:.1} %", 100.0 * summary.connected_fraction));
+        line("digest", &summary.digest);
+        line("files", files);
+        text
+    }
+}

@@ -1,0 +1,181 @@
+//! ROS `map_server` maps: a yaml file and the picture it names.
+//!
+//! A pixel's darkness `p` is `(255 − mean of its colours) / 255`, or the mean over 255 if `negate` is set; above
+//! `occupied_thresh` it is rock, below `free_thresh` free, else unknown (mode `trinary`). Mode `scale` grades the
+//! cells between the thresholds; here they are unknown as well. `origin` is the pose of the lower-left corner of the
+//! picture: yaw turns the picture counter-clockwise about that corner.
+//! Format: <https://wiki.ros.org/map_server>.
+
+mod cells;
+mod contour;
+mod simplify;
+#[cfg(test)]
+mod tests;
+
+use std::{
+    collections::BTreeMap,
+    fmt,
+    fs::File,
+    io::Read,
+    path::{Path, PathBuf},
+};
+
+use glam::DVec2;
+use serde::{Deserialize, de::IgnoredAny};
+
+use self::cells::{Cells, Levels};
+use super::{Map, MapError, Unknown};
+
+/// Most bytes of a yaml file.
+const MOST_YAML_BYTES: u64 = 1 << 16;
+/// Most bytes of a picture file.
+const MOST_PICTURE_BYTES: u64 = 1 << 28;
+
+/// Reads a `map_server` map.
+///
+/// Walls are the edges between free cells and all others, each kept within `simplify_m` (0 to 10 m) of the cells'
+/// own edge; 0 keeps every step. Simplified walls never cross or touch, and every speck of rock and pocket of free
+/// space stays. Free cells that meet only at a corner are kept apart there, by an eighth of a cell. The map frame's
+/// origin is the middle of the free area; [`Map::to_local`] converts from the file's own frame.
+///
+/// # Errors
+/// A file that is absent, too large or not what it should be; a key that is absent or out of range, named with what
+/// it holds; a picture without a free cell, or with more than 4,000,000 corners of cell edges.
+pub fn read_ros(yaml: &Path, unknown: Unknown, simplify_m: f64) -> Result<Map, MapError> {
+    if !(0.0..=10.0).contains(&simplify_m) {
+        return Err(MapError::Range { what: "simplify_m", got: simplify_m, low: 0.0, high: 10.0 });
+    }
+    let bytes = read(yaml, MOST_YAML_BYTES).map_err(|why| MapError::Read { file: yaml.to_owned(), why })?;
+    let meta = Meta::parse(yaml, &bytes)?;
+    let image = yaml.parent().unwrap_or(Path::new("")).join(&meta.image);
+    let wrong = |why: String| MapError::Image { file: yaml.to_owned(), image: image.clone(), why };
+    let picture = read(&image, MOST_PICTURE_BYTES).map_err(wrong)?;
+    let cells = Cells::decode(&picture, meta.levels, unknown).map_err(wrong)?;
+    let loops = contour::loops(&cells).map_err(wrong)?;
+    let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    for &corner in loops.iter().flatten() {
+        let at = meta.place(corner);
+        (low, high) = (low.min(at), high.max(at));
+    }
+    if !low.is_finite() {
+        return Err(wrong("it has no free cell".to_owned()));
+    }
+    let middle = (low + high) / 2.0;
+    let place = |corner: DVec2| (meta.place(corner) - middle).as_vec2();
+    let mut map = simplify::simplify(&loops, simplify_m / meta.resolution_m, meta.resolution_m, place)?;
+    map.offset_m = middle.into();
+    Ok(map)
+}
+
+/// A whole file of at most `most` bytes.
+fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(|error| error.to_string())?;
+    file.take(most + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
+    if bytes.len() as u64 > most { Err(format!("more than {most} bytes")) } else { Ok(bytes) }
+}
+
+/// What the yaml file says, checked.
+struct Meta {
+    image: PathBuf,
+    resolution_m: f64,
+    corner: DVec2,
+    /// Cosine and sine of the yaw.
+    turn: DVec2,
+    levels: Levels,
+}
+
+impl Meta {
+    fn parse(file: &Path, bytes: &[u8]) -> Result<Self, MapError> {
+        let unreadable = |why: String| MapError::Read { file: file.to_owned(), why };
+        let text = std::str::from_utf8(bytes).map_err(|error| unreadable(error.to_string()))?;
+        let values = serde_saphyr::from_str(text).map_err(|error| unreadable(error.to_string()))?;
+        let keys = Keys { file, values };
+        let image = match keys.get("image", "the path of a png or pgm picture")? {
+            Value::Text(path) if !path.is_empty() => PathBuf::from(path),
+            _ => return Err(keys.wrong("image", "the path of a png or pgm picture")),
+        };
+        let resolution_m = keys.number("resolution", 1e-3, 10.0, "metres per cell, 0.001 to 10")?;
+        let expected = "[x, y, yaw]: metres within ±1e7 and radians";
+        let (x, y, yaw_rad) = match keys.get("origin", expected)? {
+            Value::List(pose) => match pose[..] {
+                [x, y, yaw] if x.abs() <= 1e7 && y.abs() <= 1e7 && yaw.abs() <= 1e3 => (x, y, yaw),
+                _ => return Err(keys.wrong("origin", expected)),
+            },
+            _ => return Err(keys.wrong("origin", expected)),
+        };
+        let negate = match keys.get("negate", "0 or 1")? {
+            Value::Flag(flag) => *flag,
+            Value::Number(0.0) => false,
+            Value::Number(1.0) => true,
+            _ => return Err(keys.wrong("negate", "0 or 1")),
+        };
+        let occupied = keys.number("occupied_thresh", 0.0, 1.0, "a share of darkness, 0 to 1")?;
+        let free = keys.number("free_thresh", 0.0, occupied, "a share of darkness, 0 to occupied_thresh")?;
+        match keys.values.get("mode") {
+            None => {}
+            Some(Value::Text(mode)) if mode == "trinary" || mode == "scale" => {}
+            Some(_) => return Err(keys.wrong("mode", "trinary or scale; raw cells say nothing about walls")),
+        }
+        let turn = DVec2::new(libm::cos(yaw_rad), libm::sin(yaw_rad));
+        let levels = Levels { negate, occupied, free };
+        Ok(Self { image, resolution_m, corner: DVec2::new(x, y), turn, levels })
+    }
+
+    /// A place in cells from the picture's lower-left corner, in the file's own frame (m).
+    fn place(&self, cells: DVec2) -> DVec2 {
+        self.corner + self.turn.rotate(cells * self.resolution_m)
+    }
+}
+
+struct Keys<'a> {
+    file: &'a Path,
+    values: BTreeMap<String, Value>,
+}
+
+impl Keys<'_> {
+    fn get(&self, key: &'static str, expected: &'static str) -> Result<&Value, MapError> {
+        self.values.get(key).ok_or_else(|| self.wrong(key, expected))
+    }
+
+    fn number(
+        &self,
+        key: &'static str,
+        low: f64,
+        high: f64,
+        expected: &'static str,
+    ) -> Result<f64, MapError> {
+        match self.get(key, expected)? {
+            Value::Number(number) if (low..=high).contains(number) => Ok(*number),
+            _ => Err(self.wrong(key, expected)),
+        }
+    }
+
+    fn wrong(&self, key: &'static str, expected: &'static str) -> MapError {
+        let got = self.values.get(key).map_or_else(|| "(absent)".to_owned(), ToString::to_string);
+        MapError::Key { file: self.file.to_owned(), key, got, expected }
+    }
+}
+
+/// A yaml value of any of the shapes a map file holds. Keys nobody asks for may hold anything.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Value {
+    Flag(bool),
+    Number(f64),
+    Text(String),
+    List(Vec<f64>),
+    Other(IgnoredAny),
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Flag(flag) => write!(f, "{flag}"),
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Text(text) => write!(f, "{text:?}"),
+            Self::List(numbers) => write!(f, "{numbers:?}"),
+            Self::Other(_) => f.write_str("(something else)"),
+        }
+    }
+}
