@@ -1,6 +1,6 @@
 //! Random passes through sharp corners, bends and straights, by the node that flies.
 
-use core::f32::consts::{FRAC_PI_2, PI};
+use core::f32::consts::PI;
 
 use glam::Vec2;
 use uchain_core::{
@@ -37,8 +37,8 @@ struct Pass {
 
 #[derive(Debug, PartialEq)]
 enum End {
-    Clean,
-    Contact { after_m: f32 },
+    Clean { nearest_m: f32 },
+    Contact { after_m: f32, speed_mps: f32 },
     Stuck { after_m: f32 },
 }
 
@@ -89,7 +89,7 @@ fn fly(pass: &Pass) -> End {
     let good = Heard { loss_db: 40.0, packet: Packet::default() };
 
     let goal_m = line.length_m() - margin_m;
-    let mut after_m = 0.0;
+    let (mut after_m, mut nearest_m) = (0.0, f32::INFINITY);
     // Slowed to a fifth for a third of the way at the most, plus take-off and the corner.
     let patience_ticks = (20.0 * (3.0 * goal_m / pass.speed_mps + 10.0)) as usize;
     for tick in 0..patience_ticks {
@@ -103,12 +103,14 @@ fn fly(pass: &Pass) -> End {
         let asked = node.decide(&seen);
         world.act(&[asked]);
         world.advance();
-        after_m = line.project(world.bodies()[0].at);
+        let at = world.bodies()[0].at;
+        after_m = line.project(at);
+        nearest_m = nearest_m.min(map.clearance_m(at) - world.radius_m());
         if world.bodies()[0].wall_contacts > 0 {
-            return End::Contact { after_m };
+            return End::Contact { after_m, speed_mps: world.bodies()[0].velocity_mps.length() };
         }
         if after_m >= goal_m {
-            return End::Clean;
+            return End::Clean { nearest_m };
         }
     }
     End::Stuck { after_m }
@@ -118,29 +120,45 @@ fn failures(shape: Shape, count: u64) -> Vec<(Pass, End)> {
     (0..count)
         .map(|seed| draw(shape, seed))
         .map(|pass| (pass, fly(&pass)))
-        .filter(|(_, end)| *end != End::Clean)
+        .filter(|(_, end)| !matches!(end, End::Clean { .. }))
         .collect()
 }
 
 #[test]
 fn ninety_nine_of_a_hundred_sharp_corners_are_clean() {
     let failures = failures(Shape::SharpCorner, 3200);
-    println!("{} of 3200 sharp corners failed", failures.len());
-    for failure in &failures {
-        println!("{failure:?}");
-    }
-    assert!(failures.len() <= 32, "{} of 3200 failed", failures.len());
+    assert!(failures.len() <= 32, "{} of 3200 failed: {failures:?}", failures.len());
 }
 
 #[test]
-fn bends_and_straights_are_clean() {
+fn ninety_nine_of_a_hundred_bends_and_straights_are_clean() {
     for shape in [Shape::Bend, Shape::Straight] {
         let failures = failures(shape, 400);
-        println!("{} of 400 failed: {shape:?}", failures.len());
-        for failure in &failures {
-            println!("{failure:?}");
-        }
-        assert!(failures.len() <= 4, "{} of 400 failed: {shape:?}", failures.len());
+        assert!(failures.len() <= 4, "{} of 400 failed: {shape:?}: {failures:?}", failures.len());
     }
-    let _ = FRAC_PI_2;
+}
+
+/// Of the clean passes these two come nearest to a wall: 0.62 m wide, one forward and one backward.
+#[test]
+fn the_narrowest_corners_keep_nine_centimetres() {
+    for seed in [506, 771] {
+        match fly(&draw(Shape::SharpCorner, seed)) {
+            End::Clean { nearest_m } => assert!(nearest_m > 0.09, "seed {seed}: {nearest_m} m"),
+            end => panic!("seed {seed}: {end:?}"),
+        }
+    }
+}
+
+/// The dirtiest two of all: askew by 8° and off the middle, the UAV ends up in the outer pocket of the corner
+/// facing the end wall. Both front beams then see that wall alike, the two sides' ratios agree, and Eq. 20
+/// centers it on the dead end. It touches at the crawl the slow-down leaves it.
+#[test]
+fn a_uav_caught_in_the_outer_pocket_touches_the_end_wall_at_a_crawl() {
+    for seed in [1830, 3104] {
+        let pass = draw(Shape::SharpCorner, seed);
+        match fly(&pass) {
+            End::Contact { speed_mps, .. } => assert!(speed_mps < 0.06, "seed {seed}: {speed_mps} m/s"),
+            end => panic!("seed {seed} is no longer the dirtiest: {end:?}"),
+        }
+    }
 }

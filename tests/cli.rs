@@ -75,8 +75,21 @@ fn json_is_the_summary_file_and_holds_every_promised_key() {
 
     let summary: Value = serde_json::from_str(stdout(&output)).unwrap();
     let promised = [
-        "scenario", "seed", "sim_s", "wall_s", "launches_s", "uavs", "links", "spread_db", "converged_s",
-        "wall_contacts", "uav_contacts", "connected_fraction", "head_reach_m", "digest", "version",
+        "scenario",
+        "seed",
+        "sim_s",
+        "wall_s",
+        "launches_s",
+        "uavs",
+        "links",
+        "spread_db",
+        "converged_s",
+        "wall_contacts",
+        "uav_contacts",
+        "connected_fraction",
+        "head_reach_m",
+        "digest",
+        "version",
     ];
     for key in promised {
         assert!(summary.get(key).is_some(), "{key} is missing in {summary}");
@@ -180,23 +193,42 @@ fn invalid_input_exits_with_3_says_where_and_writes_nothing() {
         (&["check", "./mine.toml"], "error: ./mine.toml:"),
         (&["run", "mine.toml", "--out", "results", "--json"], &mine),
         (&["run", "cornr"], "error: unknown scenario 'cornr'; did you mean 'corner'?"),
-        (&["run", "zzzzzzzz"], "or a path to a file such as ./zzzzzzzz.toml (known: bend, corner, stata, straight)"),
+        (
+            &["run", "zzzzzzzz"],
+            "or a path to a file such as ./zzzzzzzz.toml (known: bend, corner, stata, straight)",
+        ),
         (&["run", "absent.toml"], "error: absent.toml: cannot read the scenario: No such file"),
         (&["run", "./absent"], "error: ./absent: cannot read the scenario: No such file"),
         (&["show", "corners"], "did you mean 'corner'?"),
-        (&["run", "corner", "--set", "chain.uavs=0"], "error: --set chain.uavs=0: chain.uavs = 0: must lie in 1..=1000"),
+        (
+            &["run", "corner", "--set", "chain.uavs=0"],
+            "error: --set chain.uavs=0: chain.uavs = 0: must lie in 1..=1000",
+        ),
         (&["run", "corner", "--set", "chain.uavs=many"], "chain.uavs = \"many\": expected a whole number"),
-        (&["run", "corner", "--set", "motion.radius=1"], "unknown key 'motion.radius'; did you mean 'radius_m'?"),
-        (&["run", "corner", "--set", "pilot.0.follow=lefd"], "did you mean 'left'? (known: centre, left, right)"),
+        (
+            &["run", "corner", "--set", "motion.radius=1"],
+            "unknown key 'motion.radius'; did you mean 'radius_m'?",
+        ),
+        (
+            &["run", "corner", "--set", "pilot.0.follow=lefd"],
+            "did you mean 'left'? (known: centre, left, right)",
+        ),
         (&["run", "corner", "--set", "chain.base_m=[0, 50]"], "chain.base_m = [0, 50]: the base is in rock"),
         (&["run", "corner", "--set", "chain.spacing_m=0.05"], "two radii"),
         (&["run", "corner", "--set", "duration_s=1e9"], "duration_s = 1e9: must lie in 0.05..=86400"),
-        (&["run", "stata", "--set", "map.ros.file=none.yaml"], "--set map.ros.file=none.yaml: map.ros.file: none.yaml"),
+        (
+            &["run", "stata", "--set", "map.ros.file=none.yaml"],
+            "--set map.ros.file=none.yaml: map.ros.file: none.yaml",
+        ),
     ];
     for (args, wanted) in table {
         let output = uchain(here.path(), args);
         assert_eq!(output.status.code(), Some(3), "{args:?}: {}", stderr(&output));
-        assert!(stderr(&output).contains(wanted), "{args:?}\n  got    {}\n  wanted {wanted}", stderr(&output));
+        assert!(
+            stderr(&output).contains(wanted),
+            "{args:?}\n  got    {}\n  wanted {wanted}",
+            stderr(&output)
+        );
         assert_eq!(stdout(&output), "", "{args:?}");
         assert_eq!(files(here.path()), before, "{args:?}");
     }
@@ -227,7 +259,10 @@ fn help_teaches_by_examples_and_lists_the_exit_codes() {
         assert!(stdout(&help).contains(part), "{part}: {}", stdout(&help));
     }
     assert!(stdout(&uchain(here.path(), &["run", "--help"])).contains("--set takeoff.s_min_db=55"));
-    assert_eq!(stdout(&uchain(here.path(), &["--version"])), concat!("uchain ", env!("CARGO_PKG_VERSION"), "\n"));
+    assert_eq!(
+        stdout(&uchain(here.path(), &["--version"])),
+        concat!("uchain ", env!("CARGO_PKG_VERSION"), "\n")
+    );
 }
 
 /// Whether a process has a handler of its own for Ctrl-C by now.
@@ -243,7 +278,8 @@ fn listens_for_interrupt(pid: u32) -> bool {
 fn ctrl_c_ends_a_run_with_130_and_nothing_is_written() {
     let here = folder();
     let args = ["run", "corner", "--set", "duration_s=86400", "--out", "results"];
-    let mut child = command(here.path(), &args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child =
+        command(here.path(), &args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     while child.try_wait().unwrap().is_none() && !listens_for_interrupt(child.id()) {
         std::thread::sleep(Duration::from_millis(5));
     }

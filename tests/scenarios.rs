@@ -38,3 +38,27 @@ fn a_chain_reaches_40_m_into_a_real_basement_and_stays_connected() {
         assert_eq!((s.wall_contacts, s.uav_contacts), (0, 0), "seed {seed}");
     }
 }
+
+/// What three seeds of every tunnel come to. A changed digest is a changed result: a minor version.
+#[test]
+fn the_table_of_results_is_the_reviewed_one() {
+    let mut table =
+        String::from("scenario seed launches_s                links true_db         spread reach_m digest\n");
+    for name in ["straight", "corner", "bend"] {
+        let course = course(name, &[]);
+        for seed in 1..=3 {
+            let s = run(&course, seed, &mut ()).unwrap();
+            let launches: Vec<String> = s.launches_s.iter().map(|t| format!("{t:.2}")).collect();
+            let links: Vec<String> = s.links.iter().map(|link| format!("{:.1}", link.true_db)).collect();
+            table += &format!(
+                "{name:8} {seed:4} {:24} {:20} {:6.2} {:7.2} {}\n",
+                launches.join(" "),
+                links.join(" "),
+                s.spread_db.unwrap_or(f32::NAN),
+                s.head_reach_m,
+                s.digest
+            );
+        }
+    }
+    insta::assert_snapshot!(table);
+}

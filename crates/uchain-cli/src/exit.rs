@@ -2,12 +2,7 @@
 
 use std::{fmt::Write as _, io, path::PathBuf, process::ExitCode};
 
-use uchain_sim::{
-    config::ConfigError,
-    draw::DrawError,
-    record::RecordError,
-    run::RunError,
-};
+use uchain_sim::{config::ConfigError, draw::DrawError, record::RecordError, run::RunError};
 
 /// Exit codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

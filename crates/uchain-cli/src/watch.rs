@@ -48,8 +48,7 @@ pub(crate) struct Watch {
 impl Watch {
     /// Looks on at a run of so many ticks; the bar shows only on a terminal.
     pub(crate) fn new(uavs: usize, ticks: u64, show_progress: bool) -> Self {
-        let target =
-            if show_progress { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+        let target = if show_progress { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some(ticks), target);
         // The template is a constant; were it wrong, the default style would do.
         if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}") {

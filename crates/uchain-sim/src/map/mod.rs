@@ -89,14 +89,13 @@ impl Map {
             while corners.len() > 1 && corners.first() == corners.last() {
                 corners.pop();
             }
-            let (got, most) = (corners.len(), MOST_WALLS - walls.len());
-            if !(3..=most).contains(&got) {
-                return Err(MapError::Count {
-                    what: "distinct corners in a row of one wall loop",
-                    got,
-                    least: 3,
-                    most,
-                });
+            let (got, most) = (corners.len(), MOST_WALLS);
+            if got < 3 {
+                return Err(MapError::Count { what: "distinct corners of a wall loop", got, least: 3, most });
+            }
+            let got = got + walls.len();
+            if got > most {
+                return Err(MapError::Count { what: "walls", got, least: 3, most });
             }
             starts.push(walls.len());
             let next = corners.iter().skip(1).chain(&corners);

@@ -33,17 +33,18 @@ const MOST_PICTURE_BYTES: u64 = 1 << 28;
 
 /// Reads a `map_server` map.
 ///
-/// Walls are the edges between free cells and all others, each kept within `simplify_m` (0 to 10 m) of the cells'
+/// Walls are the edges between free cells and all others, each kept within `simplify_m` (0 to 1 m) of the cells'
 /// own edge; 0 keeps every step. Simplified walls never cross or touch, and every speck of rock and pocket of free
 /// space stays. Free cells that meet only at a corner are kept apart there, by an eighth of a cell. The map frame's
 /// origin is the middle of the free area; [`Map::to_local`] converts from the file's own frame.
 ///
 /// # Errors
 /// A file that is absent, too large or not what it should be; a key that is absent or out of range, named with what
-/// it holds; a picture without a free cell, or with more than 4,000,000 corners of cell edges.
+/// it holds; a picture without a free cell, with more than 4,000,000 corners of cell edges, or with more than
+/// [`MOST_WALLS`](super::MOST_WALLS) walls once simplified.
 pub fn read_ros(yaml: &Path, unknown: Unknown, simplify_m: f64) -> Result<Map, MapError> {
-    if !(0.0..=10.0).contains(&simplify_m) {
-        return Err(MapError::Range { what: "simplify_m", got: simplify_m, low: 0.0, high: 10.0 });
+    if !(0.0..=1.0).contains(&simplify_m) {
+        return Err(MapError::Range { what: "simplify_m", got: simplify_m, low: 0.0, high: 1.0 });
     }
     let bytes = read(yaml, MOST_YAML_BYTES).map_err(|why| MapError::Read { file: yaml.to_owned(), why })?;
     let meta = Meta::parse(yaml, &bytes)?;

@@ -9,8 +9,9 @@ use crate::map::{Map, MapError, Segment, geometry::distance_squared};
 
 /// Loops are cut into pieces of this many corners first, which bounds the work.
 const PIECE: usize = 1024;
-/// Rounds of local repair before a loop that is still at fault gets all its corners back.
-const MOST_ROUNDS: usize = 64;
+/// Rounds of local repair, each to half the tolerance of the one before, until loops that are still at fault get all
+/// their corners back; as many rounds later all loops do.
+const MOST_ROUNDS: u32 = 12;
 
 /// The map of `loops`, each wall within `tolerance` of the chain it stands for. `loops` and `tolerance` are in
 /// cells of `cell_m`, free space on the left; no two loops touch; `place` takes cells to the map frame.
@@ -21,15 +22,23 @@ pub(super) fn simplify(
     place: impl Fn(DVec2) -> Vec2,
 ) -> Result<Map, MapError> {
     let mut chains: Vec<Chain<'_>> = loops.iter().map(|corners| Chain::new(corners, tolerance)).collect();
-    for round in 0.. {
+    let (mut round, mut repair_to) = (0, tolerance);
+    loop {
         let placed = chains.iter().map(|chain| chain.kept().map(&place).collect()).collect();
         let map = Map::from_loops(placed)?;
         let faults = faults(&map, &chains, (tolerance + 1.0) * cell_m);
         let mut repaired = false;
         for &(chain, (from, to)) in &faults {
             let chain = &mut chains[chain];
-            repaired |= if round < MOST_ROUNDS { chain.refine(from, to) } else { chain.restore() };
+            repaired |= if round < MOST_ROUNDS { chain.refine(from, to, repair_to) } else { chain.restore() };
         }
+        if round == 2 * MOST_ROUNDS {
+            for chain in &mut chains {
+                repaired |= chain.restore();
+            }
+        }
+        round += 1;
+        repair_to /= 2.0;
         if !repaired {
             return match map.first_crossing() {
                 Some(at) => Err(MapError::WallsCross { x: f64::from(at.x), y: f64::from(at.y) }),
@@ -37,13 +46,11 @@ pub(super) fn simplify(
             };
         }
     }
-    Err(MapError::Count { what: "rounds of simplification", got: MOST_ROUNDS, least: 0, most: MOST_ROUNDS })
 }
 
 /// One loop and which of its corners are kept.
 struct Chain<'a> {
     corners: &'a [DVec2],
-    tolerance: f64,
     /// Indices into `corners`.
     kept: BTreeSet<usize>,
 }
@@ -53,13 +60,13 @@ impl<'a> Chain<'a> {
         let first = least_by(corners.iter(), |p| (p.x, p.y));
         let farthest = least_by(corners.iter(), |p| (-p.distance_squared(corners[first]), 0.0));
         let pieces = (0..corners.len()).skip(PIECE).step_by(PIECE);
-        let mut chain = Self { corners, tolerance, kept: pieces.chain([first, farthest]).collect() };
+        let mut chain = Self { corners, kept: pieces.chain([first, farthest]).collect() };
         for (from, to) in chain.spans() {
-            chain.split(from, to);
+            chain.split(from, to, tolerance);
         }
         if chain.kept.len() < 3 {
             for (from, to) in chain.spans() {
-                chain.refine(from, to);
+                chain.refine(from, to, tolerance);
             }
         }
         chain
@@ -75,11 +82,11 @@ impl<'a> Chain<'a> {
     }
 
     /// Keeps corners between two kept ones until all others are within the tolerance.
-    fn split(&mut self, from: usize, to: usize) {
+    fn split(&mut self, from: usize, to: usize, tolerance: f64) {
         let mut open = vec![(from, to)];
         while let Some((from, to)) = open.pop() {
             if let Some((index, off)) = self.farthest_between(from, to)
-                && off > self.tolerance * self.tolerance
+                && off > tolerance * tolerance
             {
                 self.kept.insert(index);
                 open.extend([(from, index), (index, to)]);
@@ -87,12 +94,12 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Gives a wall its farthest corner back, if there is one.
-    fn refine(&mut self, from: usize, to: usize) -> bool {
+    /// Gives a wall its farthest corner back, if there is one, and others that are off by more than the tolerance.
+    fn refine(&mut self, from: usize, to: usize, tolerance: f64) -> bool {
         let Some((index, _)) = self.farthest_between(from, to) else { return false };
         self.kept.insert(index);
-        self.split(from, index);
-        self.split(index, to);
+        self.split(from, index, tolerance);
+        self.split(index, to, tolerance);
         true
     }
 
