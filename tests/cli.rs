@@ -186,7 +186,7 @@ fn invalid_input_exits_with_3_says_where_and_writes_nothing() {
     let before = files(here.path());
 
     let mine = format!(
-        "error: mine.toml:{line}: unknown key 'equalize.k_db_per_n'; did you mean 'k_db_per_m'? (known: k_db_per_m, "
+        "error: mine.toml:{line}: unknown key 'equalize.k_db_per_n'; did you mean 'k_db_per_m'? (known: law, k_db_per_m, "
     );
     let table: &[(&[&str], &str)] = &[
         (&["run", "mine.toml"], &mine),

@@ -44,14 +44,18 @@ impl<'a> Report<'a> {
             1 => "1 UAV".to_owned(),
             n => format!("{n} UAVs"),
         };
+        if summary.outcome != "completed" {
+            line("outcome", &summary.outcome);
+        }
         line("reach", &format!("{:.2} m, {in_the_air} in the air", summary.head_reach_m));
         for (i, link) in summary.links.iter().enumerate().take(LINKS_SHOWN) {
-            let to = if i + 1 == summary.links.len() { "base".to_owned() } else { (i + 1).to_string() };
+            let to =
+                summary.links.get(i + 1).map_or_else(|| "base".to_owned(), |behind| behind.uav.to_string());
             let filtered = match link.filtered_db {
                 Some(filtered_db) => format!("{filtered_db:>6.1} dB filtered"),
                 None => "never heard".to_owned(),
             };
-            let ends = format!("UAV {i} - {to}");
+            let ends = format!("UAV {} - {to}", link.uav);
             let value = format!("{ends:<14} {:>6.1} dB true  {filtered}", link.true_db);
             line(if i == 0 { "links" } else { "" }, &value);
         }

@@ -49,6 +49,7 @@ impl core::error::Error for OutOfRange {}
 /// assert!(GainParams::default().check().is_ok());
 /// assert_eq!(GainParams { gain_per_s: -1.0 }.check().unwrap_err().low, 0.0);
 /// assert!(GainParams { gain_per_s: f32::NAN }.check().is_err());
+/// assert!(GainParams { gain_per_s: 10.0 }.check().is_ok());
 /// assert_eq!(GainParams::KEYS[0].name, "gain_per_s");
 /// ```
 #[macro_export]
@@ -85,18 +86,19 @@ macro_rules! params {
             ///
             /// # Errors
             /// [`OutOfRange`]($crate::params::OutOfRange) names the field, what it is and what it may be.
-            #[allow(clippy::cast_lossless)]
+            #[allow(clippy::cast_lossless, clippy::unnecessary_cast, trivial_numeric_casts)]
             pub fn check(&self) -> Result<(), $crate::params::OutOfRange> {
-                $( $( $crate::params!(@check self, $field, $low, $high); )? )*
+                $( $( $crate::params!(@check self, $field, $ty, $low, $high); )? )*
                 Ok(())
             }
         }
     };
     (@range) => { None };
     (@range $low:literal, $high:literal) => { Some(($low as f64, $high as f64)) };
-    (@check $self:ident, $field:ident, $low:literal, $high:literal) => {
-        let (got, low, high) = ($self.$field as f64, $low as f64, $high as f64);
-        if !(low..=high).contains(&got) {
+    (@check $self:ident, $field:ident, $ty:ty, $low:literal, $high:literal) => {
+        // Compared in the field's own type: its rounding of a bound is within the range.
+        if !(($low as $ty)..=($high as $ty)).contains(&$self.$field) {
+            let (got, low, high) = ($self.$field as f64, $low as f64, $high as f64);
             return Err($crate::params::OutOfRange { key: stringify!($field), got, low, high });
         }
     };

@@ -17,6 +17,10 @@ pub enum Source {
     RadioBack = 3,
     /// Packets heard from the neighbour toward the head.
     RadioFront = 4,
+    /// Bursts of lost packets on the link toward the base.
+    BurstBack = 6,
+    /// Bursts of lost packets on the link toward the head.
+    BurstFront = 7,
     /// Random starts of tests and designs.
     Start = 5,
 }

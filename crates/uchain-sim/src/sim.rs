@@ -76,7 +76,7 @@ impl<'a> Sim<'a> {
     pub fn step(&mut self, out: &mut impl Recorder) -> Result<(), RecordError> {
         let decision = self.tick.is_multiple_of(self.decision_ticks);
         self.sense(decision);
-        self.mission.decide(&self.seen, &mut self.asked);
+        self.mission.decide(self.tick, &self.seen, &mut self.asked);
         self.world.act(&self.asked);
         self.world.advance();
         self.tick += 1;
@@ -100,7 +100,7 @@ impl<'a> Sim<'a> {
             }
         }
         if decision {
-            self.mission.exchange(&self.world, &mut self.seen);
+            self.mission.exchange(self.tick, &self.world, &mut self.seen);
         }
     }
 

@@ -2,13 +2,27 @@
 
 use nalgebra::{Matrix2x4, Vector2, Vector4};
 
-use super::{Follow, Tof};
+use super::{Follow, Tof, firmware};
+
+/// Whose centering.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum CenterLaw {
+    /// Eq. 20 and 21.
+    #[default]
+    Paper,
+    /// The authors' flight firmware, branch "cavemod".
+    Firmware,
+}
 
 crate::params! {
     /// Gains and limits of [`center`].
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
     pub struct CenterParams {
+        /// "paper" (Laclau 2021, Eq. 20 and 21) or "firmware" (as flown).
+        pub law: CenterLaw = CenterLaw::Paper;
         /// Lateral gain, C_t in Laclau 2021, Eq. 20 (1/s).
         pub c_t_per_s: f32 = 0.5, in 0.0..=20.0;
         /// Yaw gain, C_r in Eq. 20 (rad/(s·m)).
@@ -33,6 +47,14 @@ crate::params! {
         pub push_mps: f32 = 0.2, in 0.0..=1.0;
         /// What a beam reads that sees nothing (m).
         pub tof_range_m: f32 = 2.0, in 0.1..=20.0;
+        /// "firmware": lateral gain (1/s).
+        pub firmware_lateral_per_s: f32 = 2.0, in 0.0..=20.0;
+        /// "firmware": yaw rate per relative difference of a side's beams (rad/s); 30°/s.
+        pub firmware_yaw_radps: f32 = 0.5235988, in 0.0..=20.0;
+        /// "firmware": width from which the nearer wall is followed instead of centering (m).
+        pub firmware_wide_m: f32 = 1.0, in 0.0..=20.0;
+        /// "firmware": distance kept from a followed wall (m).
+        pub firmware_goal_m: f32 = 0.39, in 0.0..=2.0;
     }
 }
 
@@ -79,10 +101,16 @@ pub fn center(tof: &Tof, backward: bool, follow: Follow, params: &CenterParams) 
     let [nw, ne, sw, se] = beams.data.0[0];
     let (lead_left, lead_right) = if backward { (sw, se) } else { (nw, ne) };
 
-    let (law, aim) = steering(walls(nw, sw, ne, se, follow, params), backward, params);
-    let wish = law * beams - aim;
-    let lateral_mps = wish.x.clamp(-params.lateral_max_mps, params.lateral_max_mps);
-    let yaw_rate_radps = wish.y.clamp(-params.yaw_rate_max_radps, params.yaw_rate_max_radps);
+    let (lateral, yaw_rate) = match params.law {
+        CenterLaw::Paper => {
+            let (law, aim) = steering(walls(nw, sw, ne, se, follow, params), backward, params);
+            let wish = law * beams - aim;
+            (wish.x, wish.y)
+        }
+        CenterLaw::Firmware => firmware::steer([nw, ne, sw, se], follow, params),
+    };
+    let lateral_mps = lateral.clamp(-params.lateral_max_mps, params.lateral_max_mps);
+    let yaw_rate_radps = yaw_rate.clamp(-params.yaw_rate_max_radps, params.yaw_rate_max_radps);
 
     let nearest_ahead = lead_left.min(lead_right);
     let speed_share =

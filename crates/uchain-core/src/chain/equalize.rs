@@ -1,10 +1,28 @@
-//! The equalization law: move toward the worse link (Laclau 2021, Eq. 12, Algorithm 1).
+//! The equalization laws: move toward the worse link (Laclau 2021, Eq. 12, Algorithm 1).
+
+/// How an imbalance becomes a speed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum SpeedLaw {
+    /// `s_d / (3 k T_s)` (Eq. 12).
+    #[default]
+    Lipschitz,
+    /// A third of the distance that a path-loss model reads from the two losses, per decision: the
+    /// authors' simulator.
+    InverseModel,
+    /// A fixed speed outside a band: the authors' firmware.
+    BangBang,
+}
 
 crate::params! {
     /// Gains of [`equalize`].
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
     pub struct EqualizeParams {
+        /// How an imbalance becomes a speed: "lipschitz" (Laclau 2021, Eq. 12), "inverse-model" (the
+        /// authors' simulator) or "bang-bang" (their firmware).
+        pub law: SpeedLaw = SpeedLaw::Lipschitz;
         /// Lipschitz constant of quality over distance, k in Laclau 2021, Eq. 12 (dB/m). 15 to 40 all
         /// do. At a corner the true slope is 65 to 100 dB/m: the proof of Eq. 12 does not hold there.
         pub k_db_per_m: f32 = 25.0, in 0.1..=10000.0;
@@ -14,14 +32,29 @@ crate::params! {
         pub v_max_mps: f32 = 0.3, in 0.0..=1.0;
         /// Time between two decisions, T_s (s); a multiple of the simulator's tick.
         pub decision_s: f32 = 0.2, in 0.05..=10.0;
+        /// Distance that "inverse-model" reads from a loss of 0 dB, d0 in D(r) = d0 exp(r / scale) (m).
+        pub model_d0_m: f32 = 0.25, in 0.0001..=100.0;
+        /// Loss over which that distance grows e-fold, the scale in D(r) (dB).
+        pub model_scale_db: f32 = 50.0, in 1.0..=1000.0;
+        /// Speed of "bang-bang" (m/s).
+        pub bang_mps: f32 = 0.3, in 0.0..=1.0;
+        /// Imbalance within which "bang-bang" stays (dB).
+        pub bang_band_db: f32 = 1.5, in 0.0..=100.0;
+        /// Whether a neighbour nearer than `spacing_db` is backed away from before anything is levelled
+        /// (the authors' firmware).
+        pub spacing: bool = false;
+        /// Loss to a neighbour below which it is too near (dB).
+        pub spacing_db: f32 = 40.0, in -50.0..=200.0;
+        /// Speed of backing away (m/s).
+        pub spacing_mps: f32 = 0.2, in 0.0..=1.0;
     }
 }
 
 /// Forward speed (m/s) that levels the two links of a relay.
 ///
 /// With quality `s = −loss` and `s_d = s_back − s_front`, the relay moves by `s_d / (3 k)` per decision,
-/// forward if positive (Eq. 12), at most at `v_max_mps`; within the tolerance it stays. A loss that is
-/// not finite gives 0.
+/// forward if positive (Eq. 12), at most at `v_max_mps`; within the tolerance it stays. The other laws take
+/// the same imbalance in their own way; see [`SpeedLaw`]. A loss that is not finite gives 0.
 ///
 /// ```
 /// use uchain_core::chain::{EqualizeParams, equalize};
@@ -31,11 +64,33 @@ crate::params! {
 /// ```
 pub fn equalize(back_loss_db: f32, front_loss_db: f32, params: &EqualizeParams) -> f32 {
     let s_d = front_loss_db - back_loss_db;
-    if !s_d.is_finite() || s_d.abs() <= params.tolerance_db {
+    if !s_d.is_finite() {
         return 0.0;
     }
-    let step_m = s_d / (3.0 * params.k_db_per_m);
-    (step_m / params.decision_s).clamp(-params.v_max_mps, params.v_max_mps)
+    if params.spacing && front_loss_db < params.spacing_db {
+        return -params.spacing_mps.min(params.v_max_mps);
+    }
+    if params.spacing && back_loss_db < params.spacing_db {
+        return params.spacing_mps.min(params.v_max_mps);
+    }
+    if s_d.abs() <= params.tolerance_db {
+        return 0.0;
+    }
+    let speed_mps = match params.law {
+        SpeedLaw::Lipschitz => s_d / (3.0 * params.k_db_per_m) / params.decision_s,
+        SpeedLaw::InverseModel => {
+            let gap_m = modelled_m(front_loss_db, params) - modelled_m(back_loss_db, params);
+            gap_m / (3.0 * params.decision_s)
+        }
+        SpeedLaw::BangBang if s_d.abs() <= params.bang_band_db => 0.0,
+        SpeedLaw::BangBang => params.bang_mps.copysign(s_d),
+    };
+    speed_mps.clamp(-params.v_max_mps, params.v_max_mps)
+}
+
+/// Distance at which the model of "inverse-model" has this loss (m); finite for every loss.
+fn modelled_m(loss_db: f32, params: &EqualizeParams) -> f32 {
+    params.model_d0_m * libm::expf((loss_db / params.model_scale_db).min(50.0))
 }
 
 #[cfg(test)]
@@ -55,6 +110,32 @@ mod tests {
         assert_eq!(equalize(50.0, 55.0, &params), 0.0);
         assert!(equalize(50.0, 55.1, &params) > 0.0);
         assert!(equalize(55.1, 50.0, &params) < 0.0);
+    }
+
+    #[test]
+    fn the_inverse_model_moves_by_a_third_of_the_modelled_distance() {
+        let params = EqualizeParams { law: SpeedLaw::InverseModel, ..EqualizeParams::default() };
+        // D(55) − D(52) = 0.25 (e^1.10 − e^1.04) m.
+        let v = equalize(52.0, 55.0, &params);
+        assert!((v * params.decision_s - 0.043_737 / 3.0).abs() < 1e-5, "{}", v * params.decision_s);
+        assert_eq!(equalize(0.0, 1.0e30, &params), params.v_max_mps);
+    }
+
+    #[test]
+    fn bang_bang_knows_one_speed_outside_its_band_and_none_inside() {
+        let params = EqualizeParams { law: SpeedLaw::BangBang, ..EqualizeParams::default() };
+        let speeds = [51.4, 51.6, 90.0].map(|front_db| equalize(50.0, front_db, &params));
+        assert_eq!(speeds, [0.0, 0.3, 0.3]);
+        assert_eq!(equalize(51.6, 50.0, &params), -0.3);
+    }
+
+    #[test]
+    fn with_the_spacing_rule_a_near_neighbour_is_backed_away_from_first() {
+        let params = EqualizeParams { spacing: true, ..EqualizeParams::default() };
+        assert_eq!(equalize(60.0, 39.0, &params), -0.2);
+        assert_eq!(equalize(39.0, 60.0, &params), 0.2);
+        assert_eq!(equalize(39.0, 38.0, &params), -0.2);
+        assert!(equalize(50.0, 60.0, &params) > 0.0);
     }
 
     #[test]

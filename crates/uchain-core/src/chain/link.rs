@@ -2,11 +2,44 @@
 
 use super::{Heard, KalmanParams, Packet, ScalarKalman};
 
+/// Which loss a decision is made on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Signal {
+    /// The Kalman filter's estimate.
+    #[default]
+    Filtered,
+    /// The last sample.
+    Raw,
+}
+
+/// What a filter does in a decision period without a packet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Gap {
+    /// Nothing.
+    #[default]
+    Hold,
+    /// Eq. 18 with the neighbour's last speed, for `predict_s` at most.
+    Predict,
+}
+
 crate::params! {
     /// Thresholds of lost and bad links.
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
     pub struct LinkParams {
+        /// Loss that relays level and thresholds look at: "filtered" or "raw".
+        pub signal: Signal = Signal::Filtered;
+        /// A filter without a packet: "hold" (the authors), or "predict" with optic flow alone (Laclau 2021,
+        /// Eq. 18).
+        pub gap: Gap = Gap::Hold;
+        /// How long "predict" predicts before it holds (s).
+        pub predict_s: f32 = 1.0, in 0.0..=600.0;
+        /// Whether optic flow drives the filter of the link to the base as well.
+        pub base_flow: bool = true;
         /// Silence after which a link is lost (s).
         pub lost_s: f32 = 1.0, in 0.0..=600.0;
         /// Filtered loss of the head's back link above which its forward command is zeroed (dB).
@@ -36,6 +69,7 @@ pub enum End {
 pub struct LinkEnd {
     end: End,
     filter: Option<ScalarKalman>,
+    raw_db: Option<f32>,
     neighbour: Packet,
     silent_s: f32,
 }
@@ -43,35 +77,63 @@ pub struct LinkEnd {
 impl LinkEnd {
     /// An end that has heard nothing yet.
     pub fn new(end: End) -> Self {
-        Self { end, filter: None, neighbour: Packet::default(), silent_s: 0.0 }
+        Self { end, filter: None, raw_db: None, neighbour: Packet::default(), silent_s: 0.0 }
     }
 
-    /// One decision period: a packet steps the filter (Algorithm 1), silence holds it. A packet whose
-    /// loss is not finite counts as silence.
-    pub fn hear(&mut self, heard: Option<&Heard>, own_speed_mps: f32, period_s: f32, params: &KalmanParams) {
-        let Some(heard) = heard.filter(|h| h.loss_db.is_finite()) else {
-            self.silent_s += period_s;
-            return;
-        };
-        self.silent_s = 0.0;
-        self.neighbour = heard.packet;
-        match &mut self.filter {
-            None => self.filter = ScalarKalman::start(heard.loss_db, params),
-            Some(filter) => {
-                let other_mps = heard.packet.ground_speed_mps;
-                let separating_mps = match self.end {
-                    End::Front => own_speed_mps - other_mps,
-                    End::Rear => other_mps - own_speed_mps,
-                };
-                filter.predict(separating_mps, period_s, params);
-                filter.update(heard.loss_db, params);
+    /// One decision period: a packet steps the filter (Algorithm 1), silence holds it or lets it predict. A
+    /// packet whose loss is not finite counts as silence.
+    pub fn hear(
+        &mut self,
+        heard: Option<&Heard>,
+        own_speed_mps: f32,
+        period_s: f32,
+        kalman: &KalmanParams,
+        params: &LinkParams,
+    ) {
+        let heard = heard.filter(|h| h.loss_db.is_finite());
+        match heard {
+            Some(heard) => {
+                self.silent_s = 0.0;
+                self.raw_db = Some(heard.loss_db);
+                self.neighbour = heard.packet;
             }
+            None => self.silent_s += period_s,
+        }
+        let predicts = params.gap == Gap::Predict && self.silent_s <= params.predict_s;
+        let separating_mps = self.separating_mps(own_speed_mps, params);
+        match (&mut self.filter, heard) {
+            (None, Some(heard)) => self.filter = ScalarKalman::start(heard.loss_db, kalman),
+            (Some(filter), Some(heard)) => {
+                filter.predict(separating_mps, period_s, kalman);
+                filter.update(heard.loss_db, kalman);
+            }
+            (Some(filter), None) if predicts => filter.predict(separating_mps, period_s, kalman),
+            _ => {}
+        }
+    }
+
+    /// Speed of the front end minus that of the rear end, u in Eq. 16 (m/s).
+    fn separating_mps(&self, own_mps: f32, params: &LinkParams) -> f32 {
+        if self.neighbour.is_base && !params.base_flow {
+            return 0.0;
+        }
+        match self.end {
+            End::Front => own_mps - self.neighbour.ground_speed_mps,
+            End::Rear => self.neighbour.ground_speed_mps - own_mps,
         }
     }
 
     /// Filtered loss (dB); `None` before the first packet.
     pub fn loss_db(&self) -> Option<f32> {
         self.filter.map(|f| f.loss_db())
+    }
+
+    /// Loss by the signal of choice (dB); `None` before the first packet.
+    pub fn signal_db(&self, signal: Signal) -> Option<f32> {
+        match signal {
+            Signal::Filtered => self.loss_db(),
+            Signal::Raw => self.raw_db,
+        }
     }
 
     /// The neighbour's last words.
@@ -109,7 +171,7 @@ pub struct HeadGuard {
 impl HeadGuard {
     /// The pilot's speed, or what overrides it (m/s).
     pub fn limit(&mut self, wish_mps: f32, back: &LinkEnd, params: &LinkParams) -> f32 {
-        let loss_db = back.loss_db().unwrap_or(f32::NEG_INFINITY);
+        let loss_db = back.signal_db(params.signal).unwrap_or(f32::NEG_INFINITY);
         let stop = self.stop.over(loss_db, params.head_stop_db, params.hysteresis_db);
         let retreat = self.back.over(loss_db, params.head_back_db, params.hysteresis_db);
         if retreat || back.is_lost(params) {
@@ -132,7 +194,7 @@ impl RelayGuard {
     /// The law's speed, or what overrides it (m/s): backward while the back link is too weak or lost,
     /// else hovering while the front link is lost.
     pub fn limit(&mut self, wish_mps: f32, back: &LinkEnd, front: &LinkEnd, params: &LinkParams) -> f32 {
-        let loss_db = back.loss_db().unwrap_or(f32::NEG_INFINITY);
+        let loss_db = back.signal_db(params.signal).unwrap_or(f32::NEG_INFINITY);
         let retreat = self.back.over(loss_db, params.relay_back_db, params.hysteresis_db);
         if retreat || back.is_lost(params) {
             -params.retreat_mps
@@ -151,7 +213,7 @@ mod tests {
     fn at(loss_db: f32) -> LinkEnd {
         let mut link = LinkEnd::new(End::Front);
         let heard = Heard { loss_db, packet: Packet::default() };
-        link.hear(Some(&heard), 0.0, 0.2, &KalmanParams::default());
+        link.hear(Some(&heard), 0.0, 0.2, &KalmanParams::default(), &LinkParams::default());
         link
     }
 
@@ -173,26 +235,26 @@ mod tests {
         let (kalman, params) = (KalmanParams::default(), LinkParams::default());
         let mut link = at(50.0);
         for _ in 0..5 {
-            link.hear(None, 0.0, 0.2, &kalman);
+            link.hear(None, 0.0, 0.2, &kalman, &params);
         }
         assert!(!link.is_lost(&params));
         let rubbish = Heard { loss_db: f32::NAN, packet: Packet::default() };
-        link.hear(Some(&rubbish), 0.0, 0.2, &kalman);
+        link.hear(Some(&rubbish), 0.0, 0.2, &kalman, &params);
         assert!(link.is_lost(&params), "a reading that is not finite counts as none");
         assert_eq!(link.loss_db(), Some(50.0), "silence holds the estimate");
-        link.hear(Some(&Heard { loss_db: 50.0, packet: Packet::default() }), 0.0, 0.2, &kalman);
+        link.hear(Some(&Heard { loss_db: 50.0, packet: Packet::default() }), 0.0, 0.2, &kalman, &params);
         assert!(!link.is_lost(&params));
     }
 
     #[test]
     fn both_ends_of_a_stretching_link_lead_upward() {
-        let kalman = KalmanParams::default();
+        let (kalman, params) = (KalmanParams::default(), LinkParams::default());
         let heard =
             |speed| Heard { loss_db: 50.0, packet: Packet { ground_speed_mps: speed, ..Packet::default() } };
         let (mut front, mut rear) = (LinkEnd::new(End::Front), LinkEnd::new(End::Rear));
         for _ in 0..2 {
-            front.hear(Some(&heard(0.0)), 0.2, 0.2, &kalman); // I fly ahead, the neighbour stands
-            rear.hear(Some(&heard(0.2)), 0.0, 0.2, &kalman); // I stand, the neighbour flies ahead
+            front.hear(Some(&heard(0.0)), 0.2, 0.2, &kalman, &params); // I fly ahead, the neighbour stands
+            rear.hear(Some(&heard(0.2)), 0.0, 0.2, &kalman, &params); // I stand, the neighbour flies ahead
         }
         assert!(front.loss_db() > Some(50.1));
         assert_eq!(front.loss_db(), rear.loss_db());
@@ -203,12 +265,47 @@ mod tests {
         let (kalman, params) = (KalmanParams::default(), LinkParams::default());
         let mut lost = at(50.0);
         for _ in 0..6 {
-            lost.hear(None, 0.0, 0.2, &kalman);
+            lost.hear(None, 0.0, 0.2, &kalman, &params);
         }
         let mut guard = RelayGuard::default();
         assert_eq!(guard.limit(0.1, &at(50.0), &at(50.0), &params), 0.1);
         assert_eq!(guard.limit(0.1, &at(50.0), &lost, &params), 0.0);
         assert_eq!(guard.limit(0.1, &lost, &lost, &params), -0.2);
         assert_eq!(guard.limit(0.1, &at(81.0), &at(50.0), &params), -0.2);
+    }
+
+    #[test]
+    fn in_a_gap_a_predicting_filter_goes_on_for_a_second_with_the_last_speed_heard() {
+        let kalman = KalmanParams::default();
+        let params = LinkParams { gap: Gap::Predict, ..LinkParams::default() };
+        let mut link = LinkEnd::new(End::Front);
+        let neighbour = Packet { ground_speed_mps: -0.1, ..Packet::default() };
+        link.hear(Some(&Heard { loss_db: 50.0, packet: neighbour }), 0.1, 0.2, &kalman, &params);
+        for _ in 0..20 {
+            link.hear(None, 0.1, 0.2, &kalman, &params);
+        }
+        // Five periods of 0.2 s apart at 0.2 m/s, 10.7 dB/m.
+        assert!((link.loss_db().unwrap() - 52.14).abs() < 1e-3, "{:?}", link.loss_db());
+    }
+
+    #[test]
+    fn without_base_flow_the_link_to_the_base_ignores_optic_flow() {
+        let kalman = KalmanParams::default();
+        let params = LinkParams { base_flow: false, ..LinkParams::default() };
+        let mut link = LinkEnd::new(End::Front);
+        for _ in 0..5 {
+            let heard = Heard { loss_db: 50.0, packet: Packet::BASE };
+            link.hear(Some(&heard), 0.3, 0.2, &kalman, &params);
+        }
+        assert_eq!(link.loss_db(), Some(50.0));
+    }
+
+    #[test]
+    fn the_raw_signal_is_the_last_sample() {
+        let mut link = at(50.0);
+        let heard = Heard { loss_db: 58.0, packet: Packet::default() };
+        link.hear(Some(&heard), 0.0, 0.2, &KalmanParams::default(), &LinkParams::default());
+        assert_eq!(link.signal_db(Signal::Raw), Some(58.0));
+        assert!(link.signal_db(Signal::Filtered) < Some(58.0));
     }
 }

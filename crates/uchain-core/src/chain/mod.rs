@@ -2,16 +2,17 @@
 
 mod center;
 mod equalize;
+mod firmware;
 mod kalman;
 mod link;
 mod node;
 mod seam;
 mod takeoff;
 
-pub use center::{CenterParams, Centering, center};
-pub use equalize::{EqualizeParams, equalize};
+pub use center::{CenterLaw, CenterParams, Centering, center};
+pub use equalize::{EqualizeParams, SpeedLaw, equalize};
 pub use kalman::{KalmanParams, ScalarKalman};
-pub use link::{End, HeadGuard, LinkEnd, LinkParams, RelayGuard};
+pub use link::{End, Gap, HeadGuard, LinkEnd, LinkParams, RelayGuard, Signal};
 pub use node::{Node, NodeParams, Role};
 pub use seam::{Command, Follow, Heard, Observation, Packet, Pilot, RadioSlot, Tof};
-pub use takeoff::{Takeoff, TakeoffParams};
+pub use takeoff::{Launch, Takeoff, TakeoffParams};

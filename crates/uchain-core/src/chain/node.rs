@@ -53,6 +53,7 @@ pub struct Node {
     centering: Centering,
     forward_mps: f32,
     follow: Follow,
+    imbalance_db: f32,
 }
 
 impl Node {
@@ -71,12 +72,19 @@ impl Node {
             centering: Centering::default(),
             forward_mps: 0.0,
             follow: Follow::Centre,
+            imbalance_db: 0.0,
         }
     }
 
     /// What it tells its neighbours, given its present ground speed.
     pub fn say(&self, ground_speed_mps: f32) -> Packet {
-        Packet { ground_speed_mps, flown_s: self.flown_s, follow: self.follow }
+        Packet {
+            ground_speed_mps,
+            flown_s: self.flown_s,
+            follow: self.follow,
+            imbalance_db: self.imbalance_db,
+            is_base: false,
+        }
     }
 
     /// Filtered loss of the link toward the base (dB); `None` before its first packet.
@@ -91,13 +99,13 @@ impl Node {
 
     /// One decision period on the ground.
     fn wait(&mut self, radio: &RadioSlot) {
-        let period_s = self.params.equalize.decision_s;
-        self.front.hear(radio.front.as_ref(), 0.0, period_s, &self.params.kalman);
+        let p = &self.params;
+        let period_s = p.equalize.decision_s;
+        self.front.hear(radio.front.as_ref(), 0.0, period_s, &p.kalman, &p.link);
         self.airborne = match self.role {
             Role::Head => true,
-            Role::Relay => self.front.loss_db().is_some_and(|loss_db| {
-                let front_flown_s = self.front.neighbour().flown_s;
-                self.takeoff.due(loss_db, front_flown_s, period_s, &self.params.takeoff)
+            Role::Relay => self.front.signal_db(p.takeoff.launch_signal).is_some_and(|loss_db| {
+                self.takeoff.due(loss_db, &self.front.neighbour(), period_s, &p.takeoff)
             }),
         };
     }
@@ -106,27 +114,28 @@ impl Node {
     fn fly(&mut self, radio: &RadioSlot, seen: &Observation) {
         let p = &self.params;
         let period_s = p.equalize.decision_s;
-        let own_mps = seen.ground_speed_mps;
-        self.back.hear(radio.back.as_ref(), own_mps, period_s, &p.kalman);
-        self.front.hear(radio.front.as_ref(), own_mps, period_s, &p.kalman);
+        let own_mps = if seen.ground_speed_mps.is_finite() { seen.ground_speed_mps } else { 0.0 };
+        self.back.hear(radio.back.as_ref(), own_mps, period_s, &p.kalman, &p.link);
+        self.front.hear(radio.front.as_ref(), own_mps, period_s, &p.kalman, &p.link);
         self.flown_s += period_s;
-        match self.role {
+        let wish_mps = match self.role {
             Role::Head => {
                 self.follow = seen.pilot.follow;
                 let wish_mps = if seen.pilot.speed_mps.is_finite() { seen.pilot.speed_mps } else { 0.0 };
-                self.forward_mps = self.head_guard.limit(wish_mps, &self.back, &p.link);
+                self.head_guard.limit(wish_mps, &self.back, &p.link)
             }
             Role::Relay => {
-                self.follow = self.front.neighbour().follow;
-                let wish_mps = match (self.back.loss_db(), self.front.loss_db()) {
-                    (Some(back_db), Some(front_db)) => equalize(back_db, front_db, &p.equalize),
-                    _ => 0.0,
-                };
-                self.forward_mps = self.relay_guard.limit(wish_mps, &self.back, &self.front, &p.link);
+                let ahead = self.front.neighbour();
+                self.follow = ahead.follow;
+                let both = self.back.signal_db(p.link.signal).zip(self.front.signal_db(p.link.signal));
+                let own_db = both.map_or(0.0, |(back_db, front_db)| (back_db - front_db).abs());
+                self.imbalance_db = own_db.max(ahead.imbalance_db);
+                let wish_mps =
+                    both.map_or(0.0, |(back_db, front_db)| equalize(back_db, front_db, &p.equalize));
+                self.relay_guard.limit(wish_mps, &self.back, &self.front, &p.link)
             }
-        }
-        let v_max_mps = p.equalize.v_max_mps;
-        self.forward_mps = self.forward_mps.clamp(-v_max_mps, v_max_mps);
+        };
+        self.forward_mps = wish_mps.clamp(-p.equalize.v_max_mps, p.equalize.v_max_mps);
     }
 
     fn command(&self) -> Command {

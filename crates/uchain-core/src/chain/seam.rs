@@ -36,6 +36,21 @@ pub struct Packet {
     pub flown_s: f32,
     /// The wall choice it flies by.
     pub follow: Follow,
+    /// Largest imbalance of two links from here to the head, by the relays' own estimates (dB).
+    pub imbalance_db: f32,
+    /// The sender is the base station, which stands still.
+    pub is_base: bool,
+}
+
+impl Packet {
+    /// What the base station says.
+    pub const BASE: Self = Self {
+        ground_speed_mps: 0.0,
+        flown_s: 0.0,
+        follow: Follow::Centre,
+        imbalance_db: 0.0,
+        is_base: true,
+    };
 }
 
 /// One packet as received.

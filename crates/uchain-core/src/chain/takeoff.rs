@@ -1,5 +1,19 @@
 //! When the next UAV takes off (Laclau 2021, §4.3).
 
+use super::{Packet, Signal};
+
+/// What a take-off waits for besides the threshold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Launch {
+    /// Nothing.
+    #[default]
+    Threshold,
+    /// The flying chain has levelled (the paper's preprint).
+    Converged,
+}
+
 crate::params! {
     /// Conditions of [`Takeoff`].
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -8,6 +22,12 @@ crate::params! {
         /// Loss of the base link above which the chain needs one more UAV, s_min of Laclau 2021 read as
         /// a loss (dB).
         pub s_min_db: f32 = 60.0, in -50.0..=200.0;
+        /// "threshold", or "converged": only once the flying chain has levelled (the paper's preprint).
+        pub launch: Launch = Launch::Threshold;
+        /// Imbalance of every relay, by its own estimates, that counts as levelled (dB).
+        pub converged_db: f32 = 4.0, in 0.0..=100.0;
+        /// Which loss is compared: "filtered" or "raw".
+        pub launch_signal: Signal = Signal::Filtered;
         /// How long the loss must stay above it (s). 0 in the paper; 1 s avoids needless late launches.
         pub launch_hold_s: f32 = 1.0, in 0.0..=600.0;
         /// How long the UAV ahead must have flown (s).
@@ -22,12 +42,13 @@ crate::params! {
 /// Watches the base link from the ground, for the next UAV in line.
 ///
 /// ```
-/// use uchain_core::chain::{Takeoff, TakeoffParams};
+/// use uchain_core::chain::{Packet, Takeoff, TakeoffParams};
 /// let params = TakeoffParams { launch_hold_s: 0.4, ..TakeoffParams::default() };
 /// let mut takeoff = Takeoff::default();
-/// assert!(!takeoff.due(61.0, 10.0, 0.2, &params)); // above s_min for 0.2 s
-/// assert!(!takeoff.due(61.0, 10.0, 0.2, &params));
-/// assert!(takeoff.due(61.0, 10.0, 0.2, &params));
+/// let front = Packet { flown_s: 10.0, ..Packet::default() };
+/// assert!(!takeoff.due(61.0, &front, 0.2, &params)); // above s_min for the first time
+/// assert!(!takeoff.due(61.0, &front, 0.2, &params));
+/// assert!(takeoff.due(61.0, &front, 0.2, &params));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Takeoff {
@@ -35,11 +56,12 @@ pub struct Takeoff {
 }
 
 impl Takeoff {
-    /// Whether to take off now. `loss_db`: filtered loss to the last UAV of the chain;
-    /// `front_flown_s`: for how long that UAV has flown; `period_s`: time since the last call.
-    /// The hold starts with the first decision above the threshold, so that 0 launches at once.
-    pub fn due(&mut self, loss_db: f32, front_flown_s: f32, period_s: f32, params: &TakeoffParams) -> bool {
-        let over = loss_db > params.s_min_db && front_flown_s >= params.after_previous_s;
+    /// Whether to take off now. `loss_db`: loss to the last UAV of the chain; `front`: what that UAV
+    /// said last; `period_s`: time since the last call. The hold starts with the first decision above the
+    /// threshold, so that 0 launches at once.
+    pub fn due(&mut self, loss_db: f32, front: &Packet, period_s: f32, params: &TakeoffParams) -> bool {
+        let level = params.launch == Launch::Threshold || front.imbalance_db <= params.converged_db;
+        let over = level && loss_db > params.s_min_db && front.flown_s >= params.after_previous_s;
         if !over {
             self.over_s = 0.0;
             return false;
@@ -55,12 +77,16 @@ impl Takeoff {
 mod tests {
     use super::*;
 
+    fn flown(flown_s: f32) -> Packet {
+        Packet { flown_s, ..Packet::default() }
+    }
+
     #[test]
     fn without_a_hold_the_first_sample_above_the_threshold_launches() {
         let params = TakeoffParams { launch_hold_s: 0.0, ..TakeoffParams::default() };
         let mut takeoff = Takeoff::default();
-        assert!(!takeoff.due(60.0, 10.0, 0.2, &params));
-        assert!(takeoff.due(60.1, 10.0, 0.2, &params));
+        assert!(!takeoff.due(60.0, &flown(10.0), 0.2, &params));
+        assert!(takeoff.due(60.1, &flown(10.0), 0.2, &params));
     }
 
     #[test]
@@ -68,18 +94,27 @@ mod tests {
         let params = TakeoffParams::default();
         let mut takeoff = Takeoff::default();
         for _ in 0..5 {
-            assert!(!takeoff.due(61.0, 10.0, 0.2, &params));
+            assert!(!takeoff.due(61.0, &flown(10.0), 0.2, &params));
         }
-        assert!(!takeoff.due(59.0, 10.0, 0.2, &params));
-        let waited = (0..20).take_while(|_| !takeoff.due(61.0, 10.0, 0.2, &params)).count();
+        assert!(!takeoff.due(59.0, &flown(10.0), 0.2, &params));
+        let waited = (0..20).take_while(|_| !takeoff.due(61.0, &flown(10.0), 0.2, &params)).count();
         assert_eq!(waited, 5);
     }
 
     #[test]
     fn nobody_takes_off_before_the_uav_ahead_has_flown_for_a_while_or_on_a_reading_that_is_none() {
         let params = TakeoffParams { launch_hold_s: 0.0, ..TakeoffParams::default() };
-        assert!(!Takeoff::default().due(70.0, 2.9, 0.2, &params));
-        assert!(!Takeoff::default().due(f32::NAN, 10.0, 0.2, &params));
-        assert!(Takeoff::default().due(70.0, 3.0, 0.2, &params));
+        assert!(!Takeoff::default().due(70.0, &flown(2.9), 0.2, &params));
+        assert!(!Takeoff::default().due(f32::NAN, &flown(10.0), 0.2, &params));
+        assert!(Takeoff::default().due(70.0, &flown(3.0), 0.2, &params));
+    }
+
+    #[test]
+    fn waiting_for_convergence_an_imbalance_anywhere_ahead_delays_the_launch() {
+        let params =
+            TakeoffParams { launch: Launch::Converged, launch_hold_s: 0.0, ..TakeoffParams::default() };
+        let front = |imbalance_db| Packet { imbalance_db, ..flown(10.0) };
+        assert!(!Takeoff::default().due(70.0, &front(4.1), 0.2, &params));
+        assert!(Takeoff::default().due(70.0, &front(4.0), 0.2, &params));
     }
 }

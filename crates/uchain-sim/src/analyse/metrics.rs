@@ -11,14 +11,15 @@ const CONVERGED_DB: f32 = 7.0;
 /// "At the end" is this long (s).
 const END_S: f64 = 10.0;
 
-/// Watches a run and sums it up. Memory: one entry per decision of the last 10 s, one per launch.
+/// Watches a run and sums it up. Memory: one entry per decision of the last 10 s, one per launch and per UAV.
 #[derive(Debug)]
 pub struct Metrics {
     duration_s: f64,
     limit_db: f32,
     time_s: f64,
     launches_s: Vec<f64>,
-    uavs: usize,
+    airborne: Vec<bool>,
+    down: Vec<(usize, f64)>,
     at_the_end: Vec<Vec<LinkFrame>>,
     converged_s: Option<f64>,
     wall_contacts: u32,
@@ -36,7 +37,8 @@ impl Metrics {
             limit_db: scenario.packets.limit_db,
             time_s: 0.0,
             launches_s: Vec::new(),
-            uavs: 0,
+            airborne: Vec::new(),
+            down: Vec::new(),
             at_the_end: Vec::new(),
             converged_s: None,
             wall_contacts: 0,
@@ -49,22 +51,26 @@ impl Metrics {
 
     /// What the run came to.
     pub fn summary(&self, scenario: &str, seed: u64, digest: String) -> Summary {
-        // Only decisions with the final number of links: a launch within the last seconds counts from there.
-        let count = self.at_the_end.last().map_or(0, Vec::len);
-        let last: Vec<&Vec<LinkFrame>> = self.at_the_end.iter().filter(|l| l.len() == count).collect();
-        let links = (0..count)
-            .filter_map(|i| {
+        // Only decisions with the final links: a launch or a failure within the last seconds counts from there.
+        let uavs = |links: &Vec<LinkFrame>| links.iter().map(|link| link.uav).collect::<Vec<_>>();
+        let in_the_end = self.at_the_end.last().map(uavs).unwrap_or_default();
+        let last: Vec<&Vec<LinkFrame>> = self.at_the_end.iter().filter(|l| uavs(l) == in_the_end).collect();
+        let links = in_the_end
+            .iter()
+            .enumerate()
+            .filter_map(|(i, &uav)| {
                 let true_db = median(last.iter().map(|links| links[i].true_db))?;
                 let filtered_db = median(last.iter().filter_map(|links| links[i].filtered_db));
-                Some(LinkSummary { true_db, filtered_db })
+                Some(LinkSummary { uav, true_db, filtered_db })
             })
             .collect();
         Summary {
             scenario: scenario.to_owned(),
             seed,
             sim_s: self.time_s,
+            outcome: self.outcome(),
             launches_s: self.launches_s.clone(),
-            uavs: self.uavs,
+            uavs: self.uavs(),
             links,
             spread_db: median(last.iter().filter_map(|links| spread_db(links))),
             converged_s: self.converged_s,
@@ -76,12 +82,46 @@ impl Metrics {
         }
     }
 
+    /// UAVs in the air.
+    fn uavs(&self) -> usize {
+        self.airborne.iter().filter(|airborne| **airborne).count()
+    }
+
+    fn outcome(&self) -> String {
+        let mut words = vec!["completed".to_owned()];
+        words.extend(self.down.iter().map(|(uav, time_s)| match uav {
+            0 => format!("the head failed at {time_s:.1} s"),
+            _ => format!("UAV {uav} failed at {time_s:.1} s"),
+        }));
+        let broken = |links: &Vec<LinkFrame>| links.iter().any(|link| link.true_db >= self.limit_db);
+        if self.at_the_end.last().is_some_and(broken) {
+            words.push("the chain was broken at the end".to_owned());
+        }
+        words.join("; ")
+    }
+
+    /// Who has left the ground and who has come down since the last frame.
+    fn take_offs(&mut self, frame: &Frame) {
+        self.airborne.resize(frame.uavs.len(), false);
+        for (uav, (was, is)) in self.airborne.iter_mut().zip(&frame.uavs).enumerate() {
+            match (*was, is.airborne) {
+                (false, true) => {
+                    self.launches_s.push(self.time_s);
+                    self.converged_s = None;
+                }
+                (true, false) => self.down.push((uav, self.time_s)),
+                _ => {}
+            }
+            *was = is.airborne;
+        }
+    }
+
     fn decision(&mut self, frame: &Frame) {
         self.decisions += 1;
         self.connected += u64::from(frame.links.iter().all(|link| link.true_db < self.limit_db));
         self.head_reach_m = self.head_reach_m.max(frame.head_reach_m);
         // In the tick of a launch the links are still those without the new UAV.
-        let whole = frame.links.len() == self.uavs;
+        let whole = frame.links.len() == self.uavs();
         if self.converged_s.is_none() && whole && self.time_s >= 0.1 * self.duration_s {
             let level = spread_db(&frame.links).is_some_and(|spread| spread < CONVERGED_DB);
             self.converged_s = level.then_some(self.time_s);
@@ -95,12 +135,7 @@ impl Metrics {
 impl Recorder for Metrics {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         self.time_s = frame.time_s();
-        let uavs = frame.uavs.iter().filter(|uav| uav.airborne).count();
-        if uavs > self.uavs {
-            self.launches_s.extend(std::iter::repeat_n(self.time_s, uavs - self.uavs));
-            self.converged_s = None;
-        }
-        self.uavs = uavs;
+        self.take_offs(frame);
         self.wall_contacts = frame.uavs.iter().map(|uav| uav.wall_contacts).sum();
         self.uav_contacts = frame.uavs.iter().map(|uav| uav.uav_contacts).sum::<u32>() / 2;
         if frame.decision {
@@ -145,7 +180,7 @@ mod tests {
 
     #[test]
     fn one_link_has_no_spread() {
-        let link = |true_db| LinkFrame { true_db, filtered_db: None };
+        let link = |true_db| LinkFrame { uav: 0, true_db, filtered_db: None };
         assert_eq!(spread_db(&[link(50.0)]), None);
         assert_eq!(spread_db(&[link(50.0), link(57.0), link(52.0)]), Some(7.0));
     }

@@ -5,6 +5,8 @@ use serde::Serialize;
 /// One link of the flying chain at the end of a run: medians over the last 10 s.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LinkSummary {
+    /// The UAV at the link's front end, 0 = head.
+    pub uav: usize,
     /// Loss without noise (dB).
     pub true_db: f32,
     /// The front end's filtered estimate (dB); `None` when it never heard a packet.
@@ -20,6 +22,8 @@ pub struct Summary {
     pub seed: u64,
     /// Simulated time (s).
     pub sim_s: f64,
+    /// How the run went, in words: completed, who failed and when, whether the chain was whole at the end.
+    pub outcome: String,
     /// Take-off times (s), in order; the head's is the first.
     pub launches_s: Vec<f64>,
     /// UAVs in the air at the end.

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use uchain_core::chain::{CenterParams, EqualizeParams, Follow, KalmanParams, LinkParams, TakeoffParams};
 
 use crate::{
-    radio::{PacketParams, PathLossParams},
+    radio::{FaultConfig, PacketParams, PathLossParams},
     sense::{FlowParams, TofParams},
     world::MotionParams,
 };
@@ -47,6 +47,9 @@ pub struct Scenario {
     /// Delivery of packets.
     #[serde(default)]
     pub packets: PacketParams,
+    /// Planned faults.
+    #[serde(default)]
+    pub faults: FaultConfig,
     /// Distance sensors.
     #[serde(default)]
     pub tof: TofParams,

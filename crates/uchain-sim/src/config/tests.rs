@@ -52,7 +52,7 @@ fn a_bad_line_is_named_with_its_key_and_the_nearest_known_name() {
             "k_db_per_m = 20.0",
             "k_db_per_n = 20.0",
             &[
-                "plain.toml:13: unknown key 'equalize.k_db_per_n'; did you mean 'k_db_per_m'? (known: k_db_per_m, ",
+                "plain.toml:13: unknown key 'equalize.k_db_per_n'; did you mean 'k_db_per_m'? (known: law, k_db_per_m, ",
             ],
         ),
         ("[equalize]", "[equalise]", &["plain.toml:12: unknown key 'equalise'; did you mean 'equalize'?"]),

@@ -88,14 +88,14 @@ impl<'a> Losses<'a> {
         self.legend(scene, panel);
     }
 
-    /// One link's loss over time; `None` where it is not there.
+    /// Loss over time of the link behind one UAV; `None` where it is not there.
     fn link(
         &self,
-        index: usize,
+        uav: usize,
         loss_db: impl Fn(&crate::record::LinkFrame) -> Option<f32>,
     ) -> impl Iterator<Item = Option<(f64, f64)>> {
         self.frames.iter().map(move |frame| {
-            let loss_db = loss_db(frame.links.get(index)?)?;
+            let loss_db = loss_db(frame.links.iter().find(|link| link.uav == uav)?)?;
             loss_db.is_finite().then(|| (frame.time_s(), f64::from(loss_db)))
         })
     }

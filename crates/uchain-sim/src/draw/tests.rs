@@ -27,6 +27,7 @@ fn flight(course: &Course, seconds: u64) -> (History, Summary) {
             uav_contacts: 0,
         };
         let link = |i: usize| LinkFrame {
+            uav: i,
             true_db: 40.0 + 6.0 * reach_m / flying as f32 + i as f32,
             filtered_db: (k % 50 != 0).then_some(41.0 + 6.0 * reach_m / flying as f32 + (k * 7 % 5) as f32),
         };
@@ -44,9 +45,10 @@ fn flight(course: &Course, seconds: u64) -> (History, Summary) {
         scenario: course.scenario.name.clone(),
         seed: 1,
         sim_s: seconds as f64,
+        outcome: "completed".to_owned(),
         launches_s: (0..flown).map(|i| 12.0 * i as f64).collect(),
         uavs: flown,
-        links: vec![LinkSummary { true_db: 50.0, filtered_db: None }; flown],
+        links: vec![LinkSummary { uav: 0, true_db: 50.0, filtered_db: None }; flown],
         spread_db: Some(2.3),
         converged_s: None,
         wall_contacts: 0,

@@ -48,6 +48,19 @@ impl Map {
         rock.clamp(0.0, 1.0) as f32
     }
 
+    /// How many separate stretches of the segment `a b` are inside rock; stretches of 1 µm or less do not count.
+    pub fn rock_stretches(&self, a: Vec2, b: Vec2) -> u32 {
+        if !(a.is_finite() && b.is_finite()) {
+            return 1;
+        }
+        let (a, b) = if (b.x, b.y) < (a.x, a.y) { (b, a) } else { (a, b) };
+        let (a, b) = (a.as_dvec2(), b.as_dvec2());
+        let length_m = a.distance(b);
+        let mut stretches = 0;
+        self.each_rock_stretch(a, b, |from, to| stretches += u32::from((to - from) * length_m > TOUCH_M));
+        stretches
+    }
+
     /// Whether the open segment `a b` crosses no wall and enters no rock; touching a corner or running along a
     /// wall is allowed. A stretch of rock of 1 µm or less counts as touching.
     pub fn sees(&self, a: Vec2, b: Vec2) -> bool {

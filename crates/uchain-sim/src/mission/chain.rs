@@ -8,23 +8,28 @@ use uchain_core::{
 
 use crate::{
     config::{Course, PilotStep, Scenario},
-    radio::{PathLoss, Radio, Side},
-    record::LinkFrame,
+    radio::{Antenna, Dead, PathLoss, Receiver, Side, receiver},
+    record::{LinkFrame, TICKS_PER_S},
     seed::Seed,
     world::World,
 };
 
-/// All brains of a run. UAVs take off in order, so those in the air are the first `flying`.
+/// All brains of a run. UAVs take off in order; those in the air are the chain.
 #[derive(Debug)]
 pub struct ChainMission<'a> {
     base: Vec2,
     pilot: &'a [PilotStep],
+    dead: &'a [Dead],
     path_loss: PathLoss,
     nodes: Vec<Node>,
-    radios: Vec<Radio>,
+    receivers: Vec<Box<dyn Receiver>>,
     said: Vec<Packet>,
-    true_db: Vec<f32>,
-    flying: usize,
+    /// UAVs in the air, head first.
+    flying: Vec<usize>,
+    /// The first UAV that has neither flown nor failed; it listens from the ground.
+    in_line: usize,
+    /// The flying chain's links at the last exchange: UAV at the front end, true loss (dB).
+    links: Vec<(usize, f32)>,
 }
 
 fn node_params(scenario: &Scenario) -> NodeParams {
@@ -44,16 +49,18 @@ impl<'a> ChainMission<'a> {
         let params = node_params(scenario);
         let count = course.spawns.len();
         let role = |i| if i == 0 { Role::Head } else { Role::Relay };
-        let radio = |i| Radio::new(seed, i, scenario.radio.sigma_db, scenario.packets.clone());
+        let receiver = |i| receiver(seed, i, scenario.radio.sigma_db, &scenario.packets, &scenario.faults);
         Self {
             base: course.base,
             pilot: &scenario.pilot,
+            dead: &scenario.faults.dead,
             path_loss: PathLoss::new(scenario.radio.clone()),
             nodes: (0..count).map(|i| Node::new(role(i), params.clone())).collect(),
-            radios: (0..count as u32).map(radio).collect(),
+            receivers: (0..count).map(receiver).collect(),
             said: Vec::with_capacity(count),
-            true_db: Vec::with_capacity(count),
-            flying: 0,
+            flying: Vec::with_capacity(count),
+            in_line: 0,
+            links: Vec::with_capacity(count),
         }
     }
 
@@ -64,47 +71,67 @@ impl<'a> ChainMission<'a> {
     }
 
     /// One exchange of packets: everyone in the air speaks, neighbours and the next UAV in line listen.
-    pub fn exchange(&mut self, world: &World<'_>, seen: &mut [Observation]) {
+    pub fn exchange(&mut self, tick: u64, world: &World<'_>, seen: &mut [Observation]) {
         self.said.clear();
         self.said.extend(self.nodes.iter().zip(&*seen).map(|(n, o)| n.say(o.ground_speed_mps)));
-        let bodies = world.bodies();
-        let place = |i: usize| if i < self.flying { bodies[i].at } else { self.base };
-        let loss = |from, to| self.path_loss.loss_db(world.map(), from, to);
-        self.true_db.clear();
-        self.true_db.extend((0..self.flying).map(|i| loss(place(i), place(i + 1))));
-
-        for (i, (radio, observation)) in self.radios.iter_mut().zip(seen).enumerate() {
-            let mut slot = RadioSlot::default();
-            if i < self.flying {
-                let packet = if i + 1 < self.flying { self.said[i + 1] } else { Packet::default() };
-                slot.back = radio.receive(Side::Back, self.true_db[i], packet);
+        for observation in &mut *seen {
+            observation.radio = Some(RadioSlot::default());
+        }
+        let antenna = |i: usize| {
+            let body = &world.bodies()[i];
+            Antenna { heading_rad: Some(body.heading_rad), ..body.at.into() }
+        };
+        let loss_db = |from: &Antenna, to: &Antenna| self.path_loss.loss_db(world.map(), from, to);
+        let mut hear = |i: usize, side, true_db, packet| {
+            let heard = self.receivers[i].receive(tick, side, true_db, packet);
+            if let Some(slot) = &mut seen[i].radio {
+                match side {
+                    Side::Back => slot.back = heard,
+                    Side::Front => slot.front = heard,
+                }
             }
-            if i > 0 && i <= self.flying {
-                let true_db = if i < self.flying {
-                    self.true_db[i - 1]
-                } else {
-                    // The next in line still stands on the ground and listens to the chain's last UAV.
-                    loss(bodies[i].at, bodies[i - 1].at)
-                };
-                slot.front = radio.receive(Side::Front, true_db, self.said[i - 1]);
+        };
+        self.links.clear();
+        for (place, &i) in self.flying.iter().enumerate() {
+            if let Some(&behind) = self.flying.get(place + 1) {
+                let true_db = loss_db(&antenna(i), &antenna(behind));
+                hear(i, Side::Back, true_db, self.said[behind]);
+                hear(behind, Side::Front, true_db, self.said[i]);
+                self.links.push((i, true_db));
+            } else {
+                let true_db = loss_db(&antenna(i), &self.base.into());
+                hear(i, Side::Back, true_db, Packet::BASE);
+                self.links.push((i, true_db));
             }
-            observation.radio = Some(slot);
+        }
+        if let Some(&last) = self.flying.last().filter(|_| self.in_line < self.nodes.len()) {
+            let true_db = loss_db(&antenna(last), &antenna(self.in_line));
+            hear(self.in_line, Side::Front, true_db, self.said[last]);
         }
     }
 
-    /// Every brain sees the same instant and asks.
-    pub fn decide(&mut self, seen: &[Observation], asked: &mut [Command]) {
-        for ((node, observation), command) in self.nodes.iter_mut().zip(seen).zip(asked.iter_mut()) {
-            *command = node.decide(observation);
+    /// Every brain sees the same instant and asks; a dead one asks for nothing any more.
+    pub fn decide(&mut self, tick: u64, seen: &[Observation], asked: &mut [Command]) {
+        let now_s = tick as f64 / TICKS_PER_S;
+        let is_dead = |i| self.dead.iter().any(|dead| dead.uav == i && dead.start_s <= now_s);
+        self.flying.clear();
+        for (i, node) in self.nodes.iter_mut().enumerate() {
+            asked[i] = if is_dead(i) { Command::default() } else { node.decide(&seen[i]) };
+            if asked[i].airborne {
+                self.flying.push(i);
+            }
         }
-        self.flying = asked.iter().take_while(|command| command.airborne).count();
+        while self.in_line < asked.len() && (asked[self.in_line].airborne || is_dead(self.in_line)) {
+            self.in_line += 1;
+        }
     }
 
     /// Links of the flying chain as of the last exchange, with the estimates of now.
     pub fn links(&self) -> impl Iterator<Item = LinkFrame> {
-        self.true_db
-            .iter()
-            .zip(&self.nodes)
-            .map(|(true_db, node)| LinkFrame { true_db: *true_db, filtered_db: node.back_loss_db() })
+        self.links.iter().map(|&(uav, true_db)| LinkFrame {
+            uav,
+            true_db,
+            filtered_db: self.nodes[uav].back_loss_db(),
+        })
     }
 }

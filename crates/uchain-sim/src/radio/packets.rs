@@ -13,16 +13,9 @@ uchain_core::params! {
         pub drop_rate: f32 = 0.2, in 0.0..=1.0;
         /// Measured loss from which on no packet is delivered (dB); a link at or above it is not connected.
         pub limit_db: f32 = 100.0, in -50.0..=1000.0;
+        /// Time from sending to hearing, in ticks of 0.05 s.
+        pub delay_ticks: u32 = 0, in 0..=1000;
     }
-}
-
-/// The receiver of one UAV: own draws for each of its two neighbours.
-#[derive(Debug, Clone)]
-pub struct Radio {
-    back: Stream,
-    front: Stream,
-    sigma_db: f32,
-    params: PacketParams,
 }
 
 /// Which neighbour a packet comes from.
@@ -34,21 +27,45 @@ pub enum Side {
     Front,
 }
 
+/// The receiver of one UAV. Each kind of imperfection is a receiver around another one.
+pub trait Receiver: core::fmt::Debug + Send {
+    /// What is heard, at `tick`, of the packet a neighbour sends then over a link of this true loss (dB).
+    fn receive(&mut self, tick: u64, side: Side, true_db: f32, packet: Packet) -> Option<Heard>;
+}
+
+/// The receiver as it comes: noise, random drops and a limit. Own draws for each of the two neighbours.
+#[derive(Debug, Clone)]
+pub struct Radio {
+    back: Stream,
+    front: Stream,
+    sigma_db: f32,
+    drop_rate: f32,
+    limit_db: f32,
+}
+
 impl Radio {
     /// The receiver of one robot; `sigma_db` is the standard deviation of a measured loss.
-    pub fn new(seed: Seed, robot: u32, sigma_db: f32, params: PacketParams) -> Self {
+    pub fn new(seed: Seed, robot: u32, sigma_db: f32, params: &PacketParams) -> Self {
         let stream = |source| seed.stream(robot, source);
-        Self { back: stream(Source::RadioBack), front: stream(Source::RadioFront), sigma_db, params }
+        Self {
+            back: stream(Source::RadioBack),
+            front: stream(Source::RadioFront),
+            sigma_db,
+            drop_rate: params.drop_rate,
+            limit_db: params.limit_db,
+        }
     }
+}
 
-    /// What is heard of a packet sent over a link of this true loss. Three draws, whatever happens.
-    pub fn receive(&mut self, side: Side, true_db: f32, packet: Packet) -> Option<Heard> {
+impl Receiver for Radio {
+    fn receive(&mut self, _: u64, side: Side, true_db: f32, packet: Packet) -> Option<Heard> {
         let stream = match side {
             Side::Back => &mut self.back,
             Side::Front => &mut self.front,
         };
+        // Three draws, whatever happens: what arrives moves nobody's draws.
         let loss_db = true_db + self.sigma_db * stream.normal();
-        let arrives = stream.uniform() >= self.params.drop_rate;
-        (arrives && loss_db < self.params.limit_db).then_some(Heard { loss_db, packet })
+        let arrives = stream.uniform() >= self.drop_rate;
+        (arrives && loss_db < self.limit_db).then_some(Heard { loss_db, packet })
     }
 }

@@ -4,6 +4,17 @@ use glam::Vec2;
 
 use crate::map::Map;
 
+/// How rock in the way raises the exponent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shadowing {
+    /// By the fraction of the segment inside rock.
+    #[default]
+    MeanExponent,
+    /// By a step for every separate stretch of rock.
+    WallCount,
+}
+
 uchain_core::params! {
     /// Path loss between two antennas: `loss = L0 + 10 α log10(max(d, d0) / d0)` (Laclau 2021, Eq. 22).
     #[derive(serde::Serialize, serde::Deserialize)]
@@ -13,12 +24,41 @@ uchain_core::params! {
         pub reference_loss_db: f32 = 35.0, in -50.0..=150.0;
         /// Reference distance, d0 (m).
         pub reference_m: f32 = 0.25, in 0.001..=100.0;
+        /// How rock raises the exponent: "mean-exponent" (by the fraction of the way in rock) or
+        /// "wall-count" (by `alpha_step` for every separate stretch of it).
+        pub shadowing: Shadowing = Shadowing::MeanExponent;
         /// Exponent α where nothing stands in the way.
         pub alpha_free: f32 = 2.0, in 0.0..=20.0;
-        /// Exponent α where the whole segment runs through rock; in between, α grows with the fraction.
+        /// Exponent α where the whole segment runs through rock; the largest α of "wall-count".
         pub alpha_wall: f32 = 6.0, in 0.0..=20.0;
+        /// Step of α for each stretch of rock, with "wall-count".
+        pub alpha_step: f32 = 2.0, in 0.0..=20.0;
+        /// Loss per metre by which the way through the tunnel differs from the straight one (dB/m); 40 in
+        /// the authors' simulator of Fig. 4D–F.
+        pub detour_db_per_m: f32 = 0.0, in 0.0..=1000.0;
+        /// Loss of an antenna that sees its partner dead ahead, behind or abeam; none at ±45° and ±135°
+        /// (Laclau 2021, §6.1.2) (dB).
+        pub antenna_db: f32 = 0.0, in 0.0..=100.0;
         /// Standard deviation of a measured loss (dB).
         pub sigma_db: f32 = 3.0, in 0.0..=50.0;
+    }
+}
+
+/// One end of a link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Antenna {
+    /// Place (m).
+    pub at: Vec2,
+    /// Direction of the body that carries it (rad); `None` for the base station, which has no rotors.
+    pub heading_rad: Option<f32>,
+    /// Depth along the tunnel (m), for the detour; `None` where the tunnel has no centre line.
+    pub depth_m: Option<f32>,
+}
+
+impl From<Vec2> for Antenna {
+    /// An antenna without direction or depth.
+    fn from(at: Vec2) -> Self {
+        Self { at, heading_rad: None, depth_m: None }
     }
 }
 
@@ -34,12 +74,44 @@ impl PathLoss {
         Self { params }
     }
 
-    /// Loss between two points of a map, noise off (dB).
-    pub fn loss_db(&self, map: &Map, from: Vec2, to: Vec2) -> f32 {
+    /// Whether loss depends on depth along the tunnel.
+    pub fn needs_depth(&self) -> bool {
+        self.params.detour_db_per_m > 0.0
+    }
+
+    /// Loss between two antennas in a map, noise off (dB).
+    pub fn loss_db(&self, map: &Map, from: &Antenna, to: &Antenna) -> f32 {
         let p = &self.params;
-        let rock = map.rock_fraction(from, to);
-        let alpha = p.alpha_free + (p.alpha_wall - p.alpha_free) * rock;
-        let distance_m = from.distance(to).max(p.reference_m);
-        p.reference_loss_db + 10.0 * alpha * libm::log10f(distance_m / p.reference_m)
+        let alpha = match p.shadowing {
+            Shadowing::MeanExponent => {
+                p.alpha_free + (p.alpha_wall - p.alpha_free) * map.rock_fraction(from.at, to.at)
+            }
+            Shadowing::WallCount => {
+                let raised = p.alpha_free + p.alpha_step * map.rock_stretches(from.at, to.at) as f32;
+                raised.min(p.alpha_wall)
+            }
+        };
+        let straight_m = from.at.distance(to.at);
+        let ratio = straight_m.max(p.reference_m) / p.reference_m;
+        let mut loss_db = p.reference_loss_db + 10.0 * alpha * libm::log10f(ratio);
+        if let (true, Some(a_m), Some(b_m)) = (self.needs_depth(), from.depth_m, to.depth_m) {
+            loss_db += p.detour_db_per_m * ((a_m - b_m).abs() - straight_m).abs();
+        }
+        if p.antenna_db > 0.0 {
+            loss_db += p.antenna_db * (aim(from, to.at) + aim(to, from.at));
+        }
+        loss_db
     }
 }
+
+/// Share of its loss an antenna has toward a place: 0 at ±45° and ±135°, 1 along the body's axes.
+fn aim(antenna: &Antenna, toward: Vec2) -> f32 {
+    let way = toward - antenna.at;
+    antenna.heading_rad.filter(|_| way != Vec2::ZERO).map_or(0.0, |heading_rad| {
+        let cos = libm::cosf(2.0 * (libm::atan2f(way.y, way.x) - heading_rad));
+        cos * cos
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -19,16 +19,18 @@ pub struct UavFrame {
     pub uav_contacts: u32,
 }
 
-/// One link of the flying chain, from UAV `i` to the next flying neighbour toward the base.
+/// One link of the flying chain, from a UAV to the next one in the air toward the base, or to the base.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LinkFrame {
+    /// The UAV at the link's front end, 0 = head.
+    pub uav: usize,
     /// Loss without noise (dB).
     pub true_db: f32,
     /// The front end's filtered estimate (dB); `None` before its first packet.
     pub filtered_db: Option<f32>,
 }
 
-/// One instant of a run. Link `i` joins UAV `i` (0 = head) to UAV `i + 1`, the last link to the base.
+/// One instant of a run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Frame {
     /// Ticks since the start; one tick is [`TICK_S`].

@@ -1,0 +1,83 @@
+//! Centering as in the authors' flight firmware: nearer wall in a wide tunnel, relative yaw error.
+
+use super::{CenterParams, Follow};
+
+/// The two beams of one side (m); both within range, or the side counts as unseen.
+#[derive(Debug, Clone, Copy)]
+struct Wall {
+    /// +1 left, −1 right.
+    side: f32,
+    front_m: f32,
+    rear_m: f32,
+}
+
+impl Wall {
+    fn seen(side: f32, front_m: f32, rear_m: f32, range_m: f32) -> Option<Self> {
+        let valid = |d: f32| d > 0.0 && d < range_m;
+        (valid(front_m) && valid(rear_m)).then_some(Self { side, front_m, rear_m })
+    }
+
+    fn mean_m(&self) -> f32 {
+        0.5 * (self.front_m + self.rear_m)
+    }
+
+    /// Distance to the wall, flying along it (m).
+    fn perpendicular_m(&self) -> f32 {
+        self.mean_m() * core::f32::consts::FRAC_1_SQRT_2
+    }
+
+    /// Turn that aligns with the wall, relative to its distance (1).
+    fn misalignment(&self) -> f32 {
+        self.side * (self.front_m - self.rear_m) / self.mean_m()
+    }
+}
+
+/// Lateral speed (m/s) and yaw rate (rad/s) before their limits. Beams of a length of `tof_range_m` or more
+/// see nothing. The law is its own mirror image under a half-turn, so flying backward changes nothing.
+pub(super) fn steer([nw, ne, sw, se]: [f32; 4], follow: Follow, params: &CenterParams) -> (f32, f32) {
+    let left = Wall::seen(1.0, nw, sw, params.tof_range_m).filter(|_| follow != Follow::Right);
+    let right = Wall::seen(-1.0, ne, se, params.tof_range_m).filter(|_| follow != Follow::Left);
+    let (wall, goal_m) = match (left, right) {
+        (None, None) => return (0.0, 0.0),
+        (Some(wall), None) | (None, Some(wall)) => (wall, params.firmware_goal_m),
+        (Some(left), Some(right)) => {
+            let width_m = left.perpendicular_m() + right.perpendicular_m();
+            let nearer = if left.mean_m() <= right.mean_m() { left } else { right };
+            let wide = width_m > params.firmware_wide_m;
+            (nearer, if wide { params.firmware_goal_m } else { 0.5 * width_m })
+        }
+    };
+    let lateral_mps = -wall.side * params.firmware_lateral_per_s * (goal_m - wall.perpendicular_m());
+    (lateral_mps, params.firmware_yaw_radps * wall.misalignment())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_narrow_tunnel_is_centered_by_its_nearer_wall_and_a_wide_one_followed_along_it() {
+        let params = CenterParams::default();
+        let root2 = core::f32::consts::SQRT_2;
+        // 0.3 m from the left wall of a 0.8 m tunnel: 0.1 m off, to the right at 0.2 m/s.
+        let (lateral, yaw) =
+            steer([0.3 * root2, 0.5 * root2, 0.3 * root2, 0.5 * root2], Follow::Centre, &params);
+        assert!((lateral + 0.2).abs() < 1e-5 && yaw == 0.0);
+        // 0.3 m from the left wall of a 1.2 m tunnel: the goal is a distance from that wall.
+        let (lateral, _) =
+            steer([0.3 * root2, 0.9 * root2, 0.3 * root2, 0.9 * root2], Follow::Centre, &params);
+        assert!((lateral + 2.0 * (params.firmware_goal_m - 0.3)).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_side_with_one_blind_beam_is_not_followed_and_blind_it_flies_straight() {
+        let params = CenterParams::default();
+        let (_, yaw) = steer([2.0, 0.5, 0.5, 0.6], Follow::Centre, &params);
+        assert!(
+            (yaw - params.firmware_yaw_radps * 0.1 / 0.55).abs() < 1e-5,
+            "the right wall recedes: turn left"
+        );
+        assert_eq!(steer([2.0; 4], Follow::Centre, &params), (0.0, 0.0));
+        assert_eq!(steer([0.0; 4], Follow::Centre, &params), (0.0, 0.0));
+    }
+}

@@ -1,0 +1,227 @@
+//! What can go wrong with a radio beyond chance: bursts, one-way links, delay. Each wraps a receiver.
+
+use std::collections::VecDeque;
+
+use serde::{Deserialize, Serialize};
+use uchain_core::chain::{Heard, Packet};
+
+use super::{PacketParams, Radio, Receiver, Side};
+use crate::{
+    record::TICKS_PER_S,
+    seed::{Seed, Source, Stream},
+};
+
+/// Planned faults of a mission; none by default.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct FaultConfig {
+    /// Chance that a burst of losses begins at a packet, per packet and link end, 0 to 1.
+    pub burst_rate: f32,
+    /// Mean length of a burst (packets), 1 to 100,000.
+    pub burst_packets: f32,
+    /// Links that work one way only.
+    pub deaf: Vec<Deaf>,
+    /// UAVs that fail: from then on they neither fly nor speak.
+    pub dead: Vec<Dead>,
+}
+
+impl Default for FaultConfig {
+    fn default() -> Self {
+        Self { burst_rate: 0.0, burst_packets: 10.0, deaf: Vec::new(), dead: Vec::new() }
+    }
+}
+
+/// A UAV that hears nothing from one side for a while.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Deaf {
+    /// The UAV, 0 = head.
+    pub uav: usize,
+    /// The neighbour it does not hear: "back" (toward the base) or "front".
+    pub side: DeafSide,
+    /// From when on (s).
+    #[serde(default)]
+    pub start_s: f64,
+    /// Until when (s); to the end by default.
+    #[serde(default = "forever")]
+    pub stop_s: f64,
+}
+
+fn forever() -> f64 {
+    f64::MAX
+}
+
+/// A side, as in a scenario file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DeafSide {
+    /// Toward the base.
+    Back,
+    /// Toward the head.
+    Front,
+}
+
+/// A UAV that fails for good.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Dead {
+    /// The UAV, 0 = head.
+    pub uav: usize,
+    /// When (s).
+    pub start_s: f64,
+}
+
+/// The receiver of one robot with everything that is wrong with it.
+pub fn receiver(
+    seed: Seed,
+    robot: usize,
+    sigma_db: f32,
+    packets: &PacketParams,
+    faults: &FaultConfig,
+) -> Box<dyn Receiver> {
+    let index = robot as u32;
+    let mut receiver: Box<dyn Receiver> = Box::new(Radio::new(seed, index, sigma_db, packets));
+    if faults.burst_rate > 0.0 {
+        let streams = [Source::BurstBack, Source::BurstFront].map(|source| seed.stream(index, source));
+        receiver = Box::new(Bursty::new(receiver, streams, faults.burst_rate, faults.burst_packets));
+    }
+    let deaf: Vec<Deaf> = faults.deaf.iter().filter(|deaf| deaf.uav == robot).copied().collect();
+    if !deaf.is_empty() {
+        receiver = Box::new(OneWay { inner: receiver, deaf });
+    }
+    if packets.delay_ticks > 0 {
+        receiver = Box::new(Late::new(receiver, u64::from(packets.delay_ticks)));
+    }
+    receiver
+}
+
+/// Losses in bursts: in a burst nothing arrives (Gilbert 1960). Independent for the two sides.
+#[derive(Debug)]
+struct Bursty {
+    inner: Box<dyn Receiver>,
+    streams: [Stream; 2],
+    in_burst: [bool; 2],
+    begin: f32,
+    end: f32,
+}
+
+impl Bursty {
+    fn new(inner: Box<dyn Receiver>, streams: [Stream; 2], rate: f32, packets: f32) -> Self {
+        Self { inner, streams, in_burst: [false; 2], begin: rate, end: 1.0 / packets.max(1.0) }
+    }
+}
+
+impl Receiver for Bursty {
+    fn receive(&mut self, tick: u64, side: Side, true_db: f32, packet: Packet) -> Option<Heard> {
+        let heard = self.inner.receive(tick, side, true_db, packet);
+        let draw = self.streams[side as usize].uniform();
+        let burst = &mut self.in_burst[side as usize];
+        *burst = if *burst { draw >= self.end } else { draw < self.begin };
+        heard.filter(|_| !*burst)
+    }
+}
+
+/// Deaf on one side for a while.
+#[derive(Debug)]
+struct OneWay {
+    inner: Box<dyn Receiver>,
+    deaf: Vec<Deaf>,
+}
+
+impl Receiver for OneWay {
+    fn receive(&mut self, tick: u64, side: Side, true_db: f32, packet: Packet) -> Option<Heard> {
+        let heard = self.inner.receive(tick, side, true_db, packet);
+        let now_s = tick as f64 / TICKS_PER_S;
+        let deaf = self.deaf.iter().any(|deaf| {
+            let same_side = (deaf.side == DeafSide::Back) == (side == Side::Back);
+            same_side && (deaf.start_s..deaf.stop_s).contains(&now_s)
+        });
+        heard.filter(|_| !deaf)
+    }
+}
+
+/// Packets arrive late; of those that arrive together the newest counts.
+#[derive(Debug)]
+struct Late {
+    inner: Box<dyn Receiver>,
+    delay_ticks: u64,
+    under_way: [VecDeque<(u64, Heard)>; 2],
+}
+
+impl Late {
+    fn new(inner: Box<dyn Receiver>, delay_ticks: u64) -> Self {
+        Self { inner, delay_ticks, under_way: [VecDeque::new(), VecDeque::new()] }
+    }
+}
+
+impl Receiver for Late {
+    fn receive(&mut self, tick: u64, side: Side, true_db: f32, packet: Packet) -> Option<Heard> {
+        let under_way = &mut self.under_way[side as usize];
+        if let Some(heard) = self.inner.receive(tick, side, true_db, packet) {
+            under_way.push_back((tick + self.delay_ticks, heard));
+        }
+        let mut newest = None;
+        while under_way.front().is_some_and(|(due, _)| *due <= tick) {
+            newest = under_way.pop_front().map(|(_, heard)| heard);
+        }
+        newest
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Hears everything and keeps the time it heard it as the loss.
+    #[derive(Debug)]
+    struct Perfect;
+
+    impl Receiver for Perfect {
+        fn receive(&mut self, tick: u64, _: Side, _: f32, packet: Packet) -> Option<Heard> {
+            Some(Heard { loss_db: tick as f32, packet })
+        }
+    }
+
+    fn hear(receiver: &mut dyn Receiver, tick: u64, side: Side) -> Option<f32> {
+        receiver.receive(tick, side, 0.0, Packet::default()).map(|heard| heard.loss_db)
+    }
+
+    #[test]
+    fn bursts_have_the_mean_length_and_the_share_asked_for() {
+        let streams = [Source::BurstBack, Source::BurstFront].map(|s| Seed(1).stream(0, s));
+        let mut bursty = Bursty::new(Box::new(Perfect), streams, 0.02, 10.0);
+        let heard: Vec<bool> =
+            (0..200_000).map(|tick| hear(&mut bursty, tick, Side::Back).is_some()).collect();
+        let lost = heard.iter().filter(|heard| !**heard).count() as f64;
+        let bursts = heard.windows(2).filter(|pair| pair[0] && !pair[1]).count() as f64;
+        assert!((lost / bursts - 10.0).abs() < 0.5, "{} packets a burst", lost / bursts);
+        assert!((lost / 200_000.0 - 1.0 / 6.0).abs() < 0.01, "{} of all", lost / 200_000.0);
+    }
+
+    #[test]
+    fn a_one_way_link_is_deaf_on_its_side_and_in_its_time_only() {
+        let deaf = Deaf { uav: 0, side: DeafSide::Back, start_s: 1.0, stop_s: 2.0 };
+        let mut one_way = OneWay { inner: Box::new(Perfect), deaf: vec![deaf] };
+        let back = [19, 20, 39, 40].map(|tick| hear(&mut one_way, tick, Side::Back).is_some());
+        assert_eq!(back, [true, false, false, true]);
+        assert!(hear(&mut one_way, 30, Side::Front).is_some());
+    }
+
+    #[test]
+    fn a_late_packet_is_heard_at_the_first_decision_after_its_delay() {
+        let mut late = Late::new(Box::new(Perfect), 6);
+        let heard = [0, 4, 8, 12, 16].map(|tick| hear(&mut late, tick, Side::Back));
+        assert_eq!(heard, [None, None, Some(0.0), Some(4.0), Some(8.0)]);
+        assert_eq!(hear(&mut late, 16, Side::Front), None);
+    }
+
+    #[test]
+    fn without_faults_a_receiver_is_the_bare_radio() {
+        let packets = PacketParams::default();
+        let mut bare = Radio::new(Seed(1), 2, 3.0, &packets);
+        let mut whole = receiver(Seed(1), 2, 3.0, &packets, &FaultConfig::default());
+        for tick in 0..100 {
+            assert_eq!(hear(&mut bare, tick, Side::Back), hear(whole.as_mut(), tick, Side::Back));
+        }
+    }
+}

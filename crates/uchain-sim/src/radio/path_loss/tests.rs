@@ -1,0 +1,65 @@
+use core::f32::consts::FRAC_PI_4;
+
+use super::*;
+use crate::map::{Vertex, corridor};
+
+fn between(params: PathLossParams, from: Vec2, to: Vec2) -> f32 {
+    // A U: two legs of 4 m, 3 m apart, 1 m wide, with 2 m of rock between them.
+    let vertex = |x, y| Vertex { x, y, bend_radius_m: 0.0 };
+    let line = [vertex(0.0, 0.0), vertex(4.0, 0.0), vertex(4.0, 3.0), vertex(0.0, 3.0)];
+    let (map, _) = corridor(&line, 1.0, false).unwrap();
+    PathLoss::new(params).loss_db(&map, &from.into(), &to.into())
+}
+
+#[test]
+fn in_the_open_eq_22_holds_with_the_free_exponent_and_below_the_reference_nothing_changes() {
+    let p = PathLossParams::default();
+    let at = Vec2::new(0.5, 0.0);
+    assert!((between(p.clone(), at, Vec2::new(3.0, 0.0)) - 55.0).abs() < 1e-4);
+    assert_eq!(between(p, at, Vec2::new(0.6, 0.0)), 35.0);
+}
+
+#[test]
+fn two_thirds_of_the_way_in_rock_raise_the_exponent_by_two_thirds_of_its_range() {
+    let p = PathLossParams::default();
+    let loss_db = between(p, Vec2::new(1.0, 0.0), Vec2::new(1.0, 3.0));
+    let alpha = 2.0 + 4.0 * 2.0 / 3.0;
+    assert!((loss_db - (35.0 + 10.0 * alpha * libm::log10f(12.0))).abs() < 1e-3, "{loss_db}");
+}
+
+#[test]
+fn by_wall_count_one_stretch_of_rock_is_one_step_however_thick_and_steps_end_at_the_largest_exponent() {
+    let p = PathLossParams { shadowing: Shadowing::WallCount, ..PathLossParams::default() };
+    let across = |alpha_step| {
+        let p = PathLossParams { alpha_step, ..p.clone() };
+        between(p, Vec2::new(1.0, 0.0), Vec2::new(1.0, 3.0))
+    };
+    assert!((across(2.0) - (35.0 + 40.0 * libm::log10f(12.0))).abs() < 1e-3);
+    assert!((across(9.0) - (35.0 + 60.0 * libm::log10f(12.0))).abs() < 1e-3);
+}
+
+#[test]
+fn a_detour_costs_by_its_length_beyond_the_straight_way() {
+    let p = PathLossParams { detour_db_per_m: 40.0, ..PathLossParams::default() };
+    let vertex = |x| Vertex { x, y: 0.0, bend_radius_m: 0.0 };
+    let (map, _) = corridor(&[vertex(0.0), vertex(9.0)], 1.0, false).unwrap();
+    let antenna = |x, depth_m| Antenna { depth_m: Some(depth_m), ..Vec2::new(x, 0.0).into() };
+    let loss = |b: Antenna| PathLoss::new(p.clone()).loss_db(&map, &antenna(1.0, 0.0), &b);
+    assert!((loss(antenna(3.5, 2.5)) - 55.0).abs() < 1e-4);
+    assert!((loss(antenna(3.5, 3.0)) - 75.0).abs() < 1e-4);
+    assert!((loss(Vec2::new(3.5, 0.0).into()) - 55.0).abs() < 1e-4, "without depths there is no detour");
+}
+
+#[test]
+fn an_antenna_is_best_at_45_degrees_and_the_base_has_none() {
+    let p = PathLossParams { antenna_db: 6.0, ..PathLossParams::default() };
+    let vertex = |x| Vertex { x, y: 0.0, bend_radius_m: 0.0 };
+    let (map, _) = corridor(&[vertex(0.0), vertex(9.0)], 1.0, false).unwrap();
+    let base: Antenna = Vec2::new(1.0, 0.0).into();
+    let uav = |heading_rad| Antenna { heading_rad: Some(heading_rad), ..Vec2::new(3.5, 0.0).into() };
+    let loss = |a: &Antenna, b: &Antenna| PathLoss::new(p.clone()).loss_db(&map, a, b);
+    assert!((loss(&base, &uav(FRAC_PI_4)) - 55.0).abs() < 1e-4);
+    assert!((loss(&base, &uav(-3.0 * FRAC_PI_4)) - 55.0).abs() < 1e-4);
+    assert!((loss(&base, &uav(0.0)) - 61.0).abs() < 1e-4);
+    assert!((loss(&uav(0.0), &base) - 61.0).abs() < 1e-4);
+}
