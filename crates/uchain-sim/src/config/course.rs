@@ -142,7 +142,7 @@ fn read(config: &RosConfig, source: &Source) -> Result<Map, MapError> {
 }
 
 fn refuse(document: &Document<'_>, key: &str, cause: MapError) -> ConfigError {
-    ConfigError::Map { at: document.origin(key), key: key.to_owned(), cause }
+    ConfigError::Map { at: document.origin(key), key: key.to_owned(), cause: Box::new(cause) }
 }
 
 /// Checks one place after the other.
