@@ -2,6 +2,7 @@
 
 mod digest;
 mod metrics;
+pub mod optimum;
 mod summary;
 
 pub use digest::Digest;

@@ -96,6 +96,10 @@ impl Check<'_> {
         let chain = &scenario.chain;
         self.range("chain.uavs", chain.uavs as f64, 1.0, UAVS_MAX as f64)?;
         self.point("chain.base_m", chain.base_m)?;
+        if let Some(goal_m) = chain.goal_m {
+            self.point("chain.goal_m", goal_m)?;
+        }
+        self.range("chain.endurance_s", f64::from(chain.endurance_s), 1.0, DURATION_MAX_S)?;
         self.range("chain.heading_deg", f64::from(chain.heading_deg), -360.0, 360.0)?;
         self.range("chain.spacing_m", f64::from(chain.spacing_m), 0.0, 100.0)?;
         let Some(spawns) = &chain.spawns_m else { return Ok(()) };

@@ -1,9 +1,15 @@
 //! A scenario laid out in its tunnel: everything a run needs, shared by many runs.
 
+use std::sync::OnceLock;
+
 use glam::Vec2;
 
 use super::{ConfigError, CorridorConfig, MapConfig, RosConfig, Scenario, Source, check, document::Document};
-use crate::map::{Geodesic, Map, MapError, Vertex, corridor, read_ros};
+use crate::{
+    analyse::optimum::Chart,
+    map::{CentreLine, Geodesic, Map, MapError, Tunnel, Vertex, corridor, read_ros},
+    radio::{Antenna, PathLoss},
+};
 
 /// Where a UAV waits, in the map's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,8 +31,15 @@ pub struct Course {
     pub from_base: Geodesic,
     /// The base station, in the map's frame (m).
     pub base: Vec2,
+    /// The middle of the tunnel from the base on, where it is known: a corridor's centre line, and on other maps
+    /// the middle of the way to `chain.goal_m`. It ends at the goal if there is one.
+    pub tunnel: Option<Tunnel>,
     /// Where the UAVs wait, head first.
     pub spawns: Vec<Spawn>,
+    /// Radio without noise.
+    pub path_loss: PathLoss,
+    /// Drawn by the first [`Course::yardstick`], shared by all runs.
+    pub(crate) chart: OnceLock<Chart>,
 }
 
 impl Course {
@@ -59,12 +72,13 @@ impl Course {
     }
 
     fn lay_in(scenario: Scenario, source: &Source, document: &Document<'_>) -> Result<Self, ConfigError> {
-        let map = match &scenario.map {
+        let (map, line) = match &scenario.map {
             MapConfig::Corridor(config) => {
-                build(config).map_err(|cause| refuse(document, "map.corridor", cause))?
+                let built = build(config).map_err(|cause| refuse(document, "map.corridor", cause));
+                built.map(|(map, line)| (map, Some(line)))?
             }
             MapConfig::Ros(config) => {
-                read(config, source).map_err(|cause| refuse(document, "map.ros.file", cause))?
+                (read(config, source).map_err(|cause| refuse(document, "map.ros.file", cause))?, None)
             }
         };
         let radius_m = scenario.motion.radius_m;
@@ -76,6 +90,7 @@ impl Course {
             return Err(spots.invalid("chain.base_m", &format!("[{x_m}, {y_m}]"), expected));
         }
         let from_base = map.geodesic(base).map_err(|cause| refuse(document, "chain.base_m", cause))?;
+        let tunnel = spots.tunnel(&scenario, line, base)?;
 
         let mut spawns: Vec<Spawn> = Vec::with_capacity(scenario.chain.uavs);
         let heading_rad = scenario.chain.heading_deg.to_radians();
@@ -92,7 +107,21 @@ impl Course {
             }
             spawns.push(Spawn { at, heading_rad });
         }
-        Ok(Self { scenario, map, from_base, base, spawns })
+        let path_loss = PathLoss::new(scenario.radio.clone());
+        Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, chart: OnceLock::new() })
+    }
+
+    /// How deep in the tunnel a place lies (m), negative behind the base; `None` where the tunnel's middle is not
+    /// known.
+    pub fn depth_m(&self, at: Vec2) -> Option<f32> {
+        self.tunnel.as_ref().map(|tunnel| tunnel.depth_m(at) as f32)
+    }
+
+    /// A UAV in mid-tunnel that flies along it, or the base at depth 0.
+    pub(crate) fn antenna_at(&self, depth_m: f64) -> Option<Antenna> {
+        let (at, heading_rad) = self.tunnel.as_ref()?.at(depth_m);
+        let heading_rad = (depth_m > 0.0).then_some(heading_rad);
+        Some(Antenna { at, heading_rad, depth_m: Some(depth_m as f32) })
     }
 }
 
@@ -127,14 +156,14 @@ fn waiting_places(scenario: &Scenario) -> Vec<Place> {
     (0..chain.uavs).map(place).collect()
 }
 
-fn build(config: &CorridorConfig) -> Result<Map, MapError> {
+fn build(config: &CorridorConfig) -> Result<(Map, CentreLine), MapError> {
     let corner = |numbers: &Vec<f64>| Vertex {
         x: numbers.first().copied().unwrap_or_default(),
         y: numbers.get(1).copied().unwrap_or_default(),
         bend_radius_m: numbers.get(2).copied().unwrap_or_default(),
     };
     let corners: Vec<Vertex> = config.centre_line_m.iter().map(corner).collect();
-    corridor(&corners, config.width_m, config.closed).map(|(map, _)| map)
+    corridor(&corners, config.width_m, config.closed)
 }
 
 fn read(config: &RosConfig, source: &Source) -> Result<Map, MapError> {
@@ -156,6 +185,36 @@ impl Spots<'_> {
     fn invalid(&self, key: &str, got: &str, expected: String) -> ConfigError {
         let got = self.document.written(key).unwrap_or_else(|| got.to_owned());
         ConfigError::Invalid { at: self.document.origin(key), key: key.to_owned(), got, expected }
+    }
+
+    /// The tunnel from the base on, to the goal if there is one.
+    fn tunnel(
+        &self,
+        scenario: &Scenario,
+        line: Option<CentreLine>,
+        base: Vec2,
+    ) -> Result<Option<Tunnel>, ConfigError> {
+        let heading_rad = scenario.chain.heading_deg.to_radians();
+        let Some([x_m, y_m]) = scenario.chain.goal_m else {
+            return Ok(line.map(|line| Tunnel::new(line, base, heading_rad)));
+        };
+        let goal = self.map.to_local([f64::from(x_m), f64::from(y_m)]);
+        let wrong = |expected: &str| Err(self.invalid("chain.goal_m", &format!("[{x_m}, {y_m}]"), expected.into()));
+        if self.map.in_rock(goal) {
+            return wrong("the goal is in rock; expected free space");
+        }
+        let Some(line) = line else {
+            let path = self.map.centre_path(base, goal);
+            let line = path.map_err(|cause| refuse(self.document, "chain.goal_m", cause))?;
+            let (_, heading_rad) = line.at(0.0);
+            return Ok(Some(Tunnel::new(line, base, heading_rad)));
+        };
+        let tunnel = Tunnel::new(line, base, heading_rad);
+        let depth_m = tunnel.depth_m(goal);
+        if depth_m <= 0.0 {
+            return wrong("the goal lies behind the base; expected one ahead, as chain.heading_deg points");
+        }
+        Ok(Some(tunnel.until(depth_m)))
     }
 
     fn stands_free(

@@ -111,6 +111,13 @@ pub struct ChainConfig {
     pub uavs: usize,
     /// The base station (m).
     pub base_m: [f32; 2],
+    /// The deepest place the head may be sent to (m). A map without a centre line needs it for everything that is
+    /// counted in depth: the optimum, the plan, the radio's detour.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub goal_m: Option<[f32; 2]>,
+    /// How long a UAV flies on one battery (s), for the plan (1 to 86,400); 5 to 15 min in Laclau 2021, §7.
+    #[serde(default = "default_endurance_s")]
+    pub endurance_s: f32,
     /// Direction of the tunnel at the base, counter-clockwise from the map's x axis (degrees).
     #[serde(default)]
     pub heading_deg: f32,
@@ -120,6 +127,10 @@ pub struct ChainConfig {
     /// Explicit waiting places instead of the row, head first (m).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spawns_m: Option<Vec<[f32; 2]>>,
+}
+
+fn default_endurance_s() -> f32 {
+    420.0
 }
 
 fn default_spacing_m() -> f32 {

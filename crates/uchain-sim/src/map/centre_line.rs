@@ -50,9 +50,25 @@ impl CentreLine {
         }
     }
 
+    /// Straights from point to point; equal points in a row count once.
+    pub(super) fn through(points: &[DVec2]) -> Self {
+        let mut line = Self::new(false);
+        for (&from, &to) in points.iter().zip(points.iter().skip(1)) {
+            if let Some(direction) = (to - from).try_normalize() {
+                line.push(Shape::Straight { from, direction }, from.distance(to));
+            }
+        }
+        line
+    }
+
     /// Its length (m).
     pub fn length_m(&self) -> f32 {
         self.length_m as f32
+    }
+
+    /// [`Self::length_m`] without rounding.
+    pub(super) fn length_f64_m(&self) -> f64 {
+        self.length_m
     }
 
     /// Whether it is a ring.
@@ -63,14 +79,19 @@ impl CentreLine {
     /// The point (m) and the heading (rad, counter-clockwise from x, within ±π) at an abscissa (m). A ring goes
     /// round and round; an open line ends at its ends.
     pub fn at(&self, abscissa_m: f32) -> (Vec2, f32) {
-        let abscissa_m = f64::from(abscissa_m);
+        let (point, heading_rad) = self.at_f64(f64::from(abscissa_m));
+        (point.as_vec2(), heading_rad as f32)
+    }
+
+    /// [`Self::at`] without rounding.
+    pub(super) fn at_f64(&self, abscissa_m: f64) -> (DVec2, f64) {
         let along_m = if self.closed {
             abscissa_m.rem_euclid(self.length_m)
         } else {
             abscissa_m.clamp(0.0, self.length_m)
         };
         let index = self.pieces.partition_point(|piece| piece.start_m <= along_m).saturating_sub(1);
-        let Some(piece) = self.pieces.get(index) else { return (Vec2::NAN, f32::NAN) };
+        let Some(piece) = self.pieces.get(index) else { return (DVec2::NAN, f64::NAN) };
         let within_m = (along_m - piece.start_m).min(piece.length_m);
         let (point, heading_rad) = match piece.shape {
             Shape::Straight { from, direction } => {
@@ -81,12 +102,16 @@ impl CentreLine {
                 (centre + unit(angle) * radius_m, angle + libm::copysign(PI / 2.0, turn_rad))
             }
         };
-        (point.as_vec2(), wrapped(heading_rad) as f32)
+        (point, wrapped(heading_rad))
     }
 
     /// The abscissa of the centre line's point nearest to `p` (m); of equally near ones the first.
     pub fn project(&self, p: Vec2) -> f32 {
-        let p = p.as_dvec2();
+        self.project_f64(p.as_dvec2()) as f32
+    }
+
+    /// [`Self::project`] without rounding.
+    pub(super) fn project_f64(&self, p: DVec2) -> f64 {
         let mut best = (f64::INFINITY, 0.0);
         for piece in &self.pieces {
             let (distance_m, within_m) = piece.nearest(p);
@@ -94,7 +119,7 @@ impl CentreLine {
                 best = (distance_m, piece.start_m + within_m);
             }
         }
-        best.1 as f32
+        best.1
     }
 }
 

@@ -80,6 +80,22 @@ pub enum MapError {
         /// y in the map frame (m).
         y: f64,
     },
+    /// Two places with no way between them.
+    #[error(
+        "no way leads from ({from_x}, {from_y}) to ({to_x}, {to_y}) m, at least none wider than about {cell_m:.3} m"
+    )]
+    NoWay {
+        /// One place, in the map frame (m).
+        from_x: f64,
+        /// One place, in the map frame (m).
+        from_y: f64,
+        /// The other place, in the map frame (m).
+        to_x: f64,
+        /// The other place, in the map frame (m).
+        to_y: f64,
+        /// Size of the cells that were searched (m).
+        cell_m: f64,
+    },
     /// A file that cannot be read.
     #[error("{}: {why}", file.display())]
     Read {

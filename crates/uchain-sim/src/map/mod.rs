@@ -4,7 +4,8 @@
 //! themselves belong to free space. Coordinates are metres in the map frame, x to the right, y up.
 //!
 //! The parts: [`Map`] answers what is rock and what sees what; [`corridor`] builds a tunnel from a centre line;
-//! [`read_ros`] reads a `map_server` map; [`Geodesic`] measures the way through the tunnel.
+//! [`read_ros`] reads a `map_server` map; [`Map::centre_path`] finds the middle of a tunnel nobody drew;
+//! [`Geodesic`] measures the way through free space, [`Tunnel`] the depth along the middle.
 
 mod centre_line;
 mod corridor;
@@ -17,6 +18,7 @@ mod rays;
 mod ros;
 #[cfg(test)]
 mod tests;
+mod tunnel;
 
 use std::ops::ControlFlow;
 
@@ -30,6 +32,7 @@ pub use geodesic::{Geodesic, MOST_CORNERS};
 pub use geometry::Segment;
 #[cfg(feature = "maps")]
 pub use ros::read_ros;
+pub use tunnel::Tunnel;
 
 use geometry::{distance_squared, touch};
 use grid::Grid;

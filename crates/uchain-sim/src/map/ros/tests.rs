@@ -207,3 +207,17 @@ fn a_yaml_that_names_an_absent_picture_is_an_error_naming_both() {
     let error = read_ros(&folder.join("porto.yaml"), Unknown::Rock, 0.06).unwrap_err().to_string();
     assert!(error.contains("porto.yaml") && error.contains("image") && error.contains("map.pgm"), "{error}");
 }
+
+#[test]
+fn the_middle_of_the_stata_basement_is_a_little_longer_than_its_shortest_way() {
+    let Some(folder) = shared("f1tenth") else { return };
+    let map = read_ros(&folder.join("stata_basement.yaml"), Unknown::Rock, 0.06).unwrap();
+    let (from, to) = (map.to_local([-50.15, 34.03]), map.to_local([-4.0, 25.6]));
+    let path = map.centre_path(from, to).unwrap();
+    let shortest_m = map.geodesic(from).unwrap().distance_m(&map, to).unwrap();
+    assert!((1.0..1.07).contains(&(path.length_m() / shortest_m)), "{} {shortest_m}", path.length_m());
+    for i in 0..=10_000 {
+        let p = path.at(path.length_m() * i as f32 / 10_000.0).0;
+        assert!(!map.in_rock(p) && map.clearance_m(p) > 0.2, "{p}: {} m from a wall", map.clearance_m(p));
+    }
+}

@@ -1,0 +1,137 @@
+//! The exact optimum of a chain (Laclau 2021, Eq. 1, 2, 9–11): the yardstick of every run.
+//!
+//! Given how loss depends on two depths along the tunnel, where must the relays stand so that the worst link is as
+//! good as can be? [`Chart`] searches the whole tunnel on samples, [`optimum`] makes one answer exact, [`Yardstick`]
+//! binds both to a [`Course`](crate::config::Course).
+
+mod chart;
+mod level;
+mod refine;
+#[cfg(test)]
+mod tests;
+mod yardstick;
+
+pub use chart::{Chart, MOST_LINKS, MOST_SAMPLES};
+pub use yardstick::Yardstick;
+
+use chart::known;
+
+/// How closely the relays of an optimum are placed (m).
+pub const RESOLUTION_M: f64 = 1e-4;
+/// Chains whose worst links differ by no more than this are equally good (dB); of those the one with equal links
+/// is preferred.
+const EQUAL_DB: f64 = 1e-3;
+
+/// A chain as good as can be. Everything is listed from the head on, as in a summary.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Optimum {
+    /// Depth of head, relays and base (m): falling, the last one 0. One more than there are links.
+    pub depths_m: Vec<f64>,
+    /// Loss of every link (dB), that to the base last.
+    pub link_loss_db: Vec<f64>,
+    /// The largest of them (dB).
+    pub bottleneck_db: f64,
+}
+
+impl Optimum {
+    fn of(loss_db: &impl Fn(f64, f64) -> f64, base_first_m: Vec<f64>) -> Self {
+        let mut depths_m = base_first_m;
+        depths_m.reverse();
+        let pairs = depths_m.iter().zip(depths_m.iter().skip(1));
+        let link_loss_db: Vec<f64> = pairs.map(|(&front_m, &back_m)| known(loss_db(back_m, front_m))).collect();
+        let bottleneck_db = link_loss_db.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        Self { depths_m, link_loss_db, bottleneck_db }
+    }
+}
+
+/// The chain of `links` links (1 to [`MOST_LINKS`], clamped) from the base to a head at `head_depth_m` (clamped to the
+/// chart's tunnel) whose worst link is best, over all ordered places of the relays. `chart` is that of the same
+/// `loss_db`, which takes two depths (m), the shallower one first.
+///
+/// * Where loss is continuous and grows with distance, all links are equal, to within 0.01 dB: the paper's s_eq.
+/// * Where loss jumps, a least worst link may not exist, only be approached: the answer comes as near as relays
+///   placed to [`RESOLUTION_M`] can. Its links are then unequal, the worst one counts.
+/// * Where loss does not grow everywhere with distance (a tunnel that turns back on itself), it is still the best
+///   worst link over all ordered placements, and may be far better than any chain of equal links. The search is
+///   over the chart's samples, so a good place narrower than the chart's step may be overlooked.
+///
+/// In every case the answer is a chain that can be had, with the losses it has. It is the better of two: the chart's,
+/// refined in shrinking windows, and that of the paper's bisection on the level.
+pub fn optimum(loss_db: &impl Fn(f64, f64) -> f64, chart: &Chart, head_depth_m: f64, links: usize) -> Optimum {
+    let head_m = in_tunnel(chart, head_depth_m);
+    let to_head_db = chart.losses_to(loss_db, head_m);
+    optimum_from(loss_db, chart, &to_head_db, head_m, links)
+}
+
+fn in_tunnel(chart: &Chart, depth_m: f64) -> f64 {
+    if depth_m > 0.0 { depth_m.min(chart.depth_m()) } else { 0.0 }
+}
+
+fn optimum_from(
+    loss_db: &impl Fn(f64, f64) -> f64,
+    chart: &Chart,
+    to_head_db: &[f64],
+    head_m: f64,
+    links: usize,
+) -> Optimum {
+    let links = links.clamp(1, MOST_LINKS);
+    let (mut depths_m, mut worst_db) = chart.best(to_head_db, head_m, links);
+    refine::refine(loss_db, &mut depths_m, &mut worst_db, chart.step_m(), RESOLUTION_M);
+    let refined = Optimum::of(loss_db, depths_m);
+    match level::level(loss_db, head_m, links, refined.bottleneck_db + EQUAL_DB) {
+        Some(equal) => {
+            let equal = Optimum::of(loss_db, equal);
+            if equal.bottleneck_db <= refined.bottleneck_db + EQUAL_DB { equal } else { refined }
+        }
+        None => refined,
+    }
+}
+
+/// The chain of the paper's bisection on the level alone: the least level at which relays placed as far apart as it
+/// allows reach the head; the optimum where loss grows with distance. Elsewhere it may be worse than [`optimum`], or
+/// `None` where no level reaches the head.
+pub fn equal_links(loss_db: &impl Fn(f64, f64) -> f64, head_depth_m: f64, links: usize) -> Option<Optimum> {
+    let links = links.clamp(1, MOST_LINKS);
+    let chain = level::level(loss_db, head_depth_m, links, known(loss_db(0.0, head_depth_m)))?;
+    Some(Optimum::of(loss_db, chain))
+}
+
+/// The least number of links, n*, with which the worst link is at most `s_min_db`; `None` where no number is enough.
+pub fn links_needed(
+    loss_db: &impl Fn(f64, f64) -> f64,
+    chart: &Chart,
+    head_depth_m: f64,
+    s_min_db: f64,
+) -> Option<usize> {
+    let head_m = in_tunnel(chart, head_depth_m);
+    let to_head_db = chart.losses_to(loss_db, head_m);
+    let enough = |links: usize| {
+        chart.best(&to_head_db, head_m, links).1 <= s_min_db
+            || level::farthest(loss_db, head_m, links, s_min_db).is_some()
+    };
+    // With one link more than the chart knows, the last one starts between its samples.
+    let found = (1..=chart.links_max() + 1).find(|&links| enough(links));
+    let mut needed = match found {
+        Some(links) => links,
+        None if within(loss_db, chart, &to_head_db, head_m, chart.links_max() + 1, s_min_db) => {
+            chart.links_max() + 1
+        }
+        None => return None,
+    };
+    while needed > 1 && within(loss_db, chart, &to_head_db, head_m, needed - 1, s_min_db) {
+        needed -= 1;
+    }
+    Some(needed)
+}
+
+/// Whether the optimum of so many links is good enough.
+fn within(
+    loss_db: &impl Fn(f64, f64) -> f64,
+    chart: &Chart,
+    to_head_db: &[f64],
+    head_m: f64,
+    links: usize,
+    s_min_db: f64,
+) -> bool {
+    optimum_from(loss_db, chart, to_head_db, head_m, links).bottleneck_db <= s_min_db
+}
