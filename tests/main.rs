@@ -6,6 +6,8 @@ mod centering;
 mod determinism;
 /// Whatever goes wrong with the radio, a run ends in words.
 mod faults;
+/// Claims of the laws for whatever they may meet.
+mod laws;
 /// The shipped scenarios do what their descriptions say.
 mod scenarios;
 

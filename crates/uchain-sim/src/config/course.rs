@@ -199,7 +199,8 @@ impl Spots<'_> {
             return Ok(line.map(|line| Tunnel::new(line, base, heading_rad)));
         };
         let goal = self.map.to_local([f64::from(x_m), f64::from(y_m)]);
-        let wrong = |expected: &str| Err(self.invalid("chain.goal_m", &format!("[{x_m}, {y_m}]"), expected.into()));
+        let wrong =
+            |expected: &str| Err(self.invalid("chain.goal_m", &format!("[{x_m}, {y_m}]"), expected.into()));
         if self.map.in_rock(goal) {
             return wrong("the goal is in rock; expected free space");
         }

@@ -88,7 +88,8 @@ impl Chart {
 
     /// Losses from every sample that is not deeper than a head, to that head (dB).
     pub(super) fn losses_to(&self, loss_db: impl Fn(f64, f64) -> f64, head_m: f64) -> Vec<f64> {
-        let depths = (0..self.samples).map(|i| i as f64 * self.step_m).take_while(|&depth_m| depth_m <= head_m);
+        let depths =
+            (0..self.samples).map(|i| i as f64 * self.step_m).take_while(|&depth_m| depth_m <= head_m);
         depths.map(|depth_m| known(loss_db(depth_m, head_m))).collect()
     }
 
@@ -98,7 +99,8 @@ impl Chart {
         let mut depths_m = vec![head_m];
         let mut best = (to_head_db.first().copied().unwrap_or(f64::INFINITY), 0);
         if links > 1 {
-            for (j, (&link_db, &rest_db)) in to_head_db.iter().zip(self.bottleneck_db(links - 1)).enumerate() {
+            for (j, (&link_db, &rest_db)) in to_head_db.iter().zip(self.bottleneck_db(links - 1)).enumerate()
+            {
                 let worst_db = if link_db > rest_db { link_db } else { rest_db };
                 if worst_db < best.0 {
                     best = (worst_db, j);

@@ -38,7 +38,8 @@ impl Optimum {
         let mut depths_m = base_first_m;
         depths_m.reverse();
         let pairs = depths_m.iter().zip(depths_m.iter().skip(1));
-        let link_loss_db: Vec<f64> = pairs.map(|(&front_m, &back_m)| known(loss_db(back_m, front_m))).collect();
+        let link_loss_db: Vec<f64> =
+            pairs.map(|(&front_m, &back_m)| known(loss_db(back_m, front_m))).collect();
         let bottleneck_db = link_loss_db.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         Self { depths_m, link_loss_db, bottleneck_db }
     }
@@ -57,7 +58,12 @@ impl Optimum {
 ///
 /// In every case the answer is a chain that can be had, with the losses it has. It is the better of two: the chart's,
 /// refined in shrinking windows, and that of the paper's bisection on the level.
-pub fn optimum(loss_db: &impl Fn(f64, f64) -> f64, chart: &Chart, head_depth_m: f64, links: usize) -> Optimum {
+pub fn optimum(
+    loss_db: &impl Fn(f64, f64) -> f64,
+    chart: &Chart,
+    head_depth_m: f64,
+    links: usize,
+) -> Optimum {
     let head_m = in_tunnel(chart, head_depth_m);
     let to_head_db = chart.losses_to(loss_db, head_m);
     optimum_from(loss_db, chart, &to_head_db, head_m, links)

@@ -54,7 +54,8 @@ fn best_in_windows(loss_db: &impl Fn(f64, f64) -> f64, depths_m: &[f64], step_m:
     let fixed = |depth_m| vec![Place { depth_m, worst_db: f64::NEG_INFINITY, behind: 0 }];
     let mut columns = vec![fixed(0.0)];
     for (i, &middle_m) in depths_m.iter().enumerate().skip(1) {
-        let mut column = if i + 1 == depths_m.len() { fixed(head_m) } else { window(middle_m, head_m, step_m) };
+        let mut column =
+            if i + 1 == depths_m.len() { fixed(head_m) } else { window(middle_m, head_m, step_m) };
         let behind = columns.last().map(Vec::as_slice).unwrap_or_default();
         for place in &mut column {
             place.worst_db = f64::INFINITY;

@@ -22,8 +22,7 @@ pub(super) fn settle(map: &Map, rough: &[DVec2], cell_m: f64) -> Vec<DVec2> {
         smooth(map, &mut line);
         line = evenly(&line, 2.0 * cell_m);
     }
-    let free =
-        line.iter().zip(line.iter().skip(1)).all(|(a, b)| map.sees(a.as_vec2(), b.as_vec2()));
+    let free = line.iter().zip(line.iter().skip(1)).all(|(a, b)| map.sees(a.as_vec2(), b.as_vec2()));
     if free { line } else { rough.to_vec() }
 }
 
@@ -63,7 +62,8 @@ fn centre(map: &Map, line: &mut [DVec2]) {
         let (mut low_m, mut high_m) = (-here_m, here_m);
         for _ in 0..NARROWINGS {
             let (left_m, right_m) = (low_m + 0.4 * (high_m - low_m), low_m + 0.6 * (high_m - low_m));
-            let (left, right) = (room_m(map, *point + across * left_m), room_m(map, *point + across * right_m));
+            let (left, right) =
+                (room_m(map, *point + across * left_m), room_m(map, *point + across * right_m));
             // Open on both sides: nothing pushes.
             if left == right {
                 (low_m, high_m) = (left_m, right_m);

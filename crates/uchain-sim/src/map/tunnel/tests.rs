@@ -23,7 +23,10 @@ fn apart_m(line: &CentreLine, other: &CentreLine, from_m: f32, to_m: f32) -> f32
 fn depth_grows_toward_the_heading_whichever_way_the_line_runs() {
     let (_, line) = built(&[(0.0, 0.0, 0.0), (10.0, 0.0, 0.0)], 1.0, false);
     let ahead = Tunnel::new(line.clone(), vec2(3.0, 0.2), 0.3);
-    assert_eq!((ahead.length_m(), ahead.depth_m(vec2(5.0, -0.1)), ahead.depth_m(vec2(1.0, 0.0))), (7.0, 2.0, -2.0));
+    assert_eq!(
+        (ahead.length_m(), ahead.depth_m(vec2(5.0, -0.1)), ahead.depth_m(vec2(1.0, 0.0))),
+        (7.0, 2.0, -2.0)
+    );
     assert_eq!(ahead.at(4.0), (vec2(7.0, 0.0), 0.0));
     let back = Tunnel::new(line, vec2(3.0, 0.0), 3.0).until(2.5);
     assert_eq!((back.length_m(), back.depth_m(vec2(1.0, 0.0))), (2.5, 2.0));
