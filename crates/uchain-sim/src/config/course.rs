@@ -107,7 +107,8 @@ impl Course {
             }
             spawns.push(Spawn { at, heading_rad });
         }
-        let path_loss = PathLoss::new(scenario.radio.clone());
+        let path_loss = PathLoss::new(scenario.radio.clone(), &map)
+            .map_err(|cause| refuse(document, "radio.detour_db_per_m", cause))?;
         Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, chart: OnceLock::new() })
     }
 
@@ -121,7 +122,7 @@ impl Course {
     pub(crate) fn antenna_at(&self, depth_m: f64) -> Option<Antenna> {
         let (at, heading_rad) = self.tunnel.as_ref()?.at(depth_m);
         let heading_rad = (depth_m > 0.0).then_some(heading_rad);
-        Some(Antenna { at, heading_rad, depth_m: Some(depth_m as f32) })
+        Some(Antenna { at, heading_rad })
     }
 }
 
