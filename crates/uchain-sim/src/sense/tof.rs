@@ -137,3 +137,6 @@ impl TofNoise {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
