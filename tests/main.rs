@@ -4,6 +4,10 @@
 mod centering;
 /// Same seed, same bits.
 mod determinism;
+/// Whatever goes wrong with the radio, a run ends in words.
+mod faults;
+/// Claims of the laws for whatever they may meet.
+mod laws;
 /// The shipped scenarios do what their descriptions say.
 mod scenarios;
 

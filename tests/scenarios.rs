@@ -1,3 +1,5 @@
+use std::fmt::Write as _;
+
 use uchain_sim::{analyse::Summary, run::run};
 
 use crate::{course, lay, shared_data};
@@ -62,8 +64,9 @@ fn the_table_of_results_is_the_reviewed_one() {
             let s = run(&course, seed, &mut ()).unwrap();
             let launches: Vec<String> = s.launches_s.iter().map(|t| format!("{t:.2}")).collect();
             let links: Vec<String> = s.links.iter().map(|link| format!("{:.1}", link.true_db)).collect();
-            table += &format!(
-                "{name:8} {seed:4} {:24} {:20} {:6.2} {:7.2} {}\n",
+            let _ = writeln!(
+                table,
+                "{name:8} {seed:4} {:24} {:20} {:6.2} {:7.2} {}",
                 launches.join(" "),
                 links.join(" "),
                 s.spread_db.unwrap_or(f32::NAN),

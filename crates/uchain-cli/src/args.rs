@@ -25,6 +25,9 @@ Examples:
 Writes summary.json and run.png. Same scenario, same seed: same digest, bit for bit.
 ";
 
+const SET_HELP: &str =
+    "Write one value over the scenario's, such as chain.uavs=5 or pilot.0.speed_mps=0.1 (repeatable)";
+
 /// Fly a chain of UAVs that keep a radio link through a tunnel, and look at what it came to.
 #[derive(Debug, Parser)]
 #[command(name = "uchain", version, max_term_width = 100, arg_required_else_help = true)]
@@ -51,8 +54,7 @@ pub(crate) enum Command {
         /// Path of a scenario file, or name of a built-in scenario
         #[arg(value_name = "FILE|NAME")]
         scenario: String,
-        /// Write one value over the scenario's, such as chain.uavs=5 (repeatable)
-        #[arg(long, value_name = "KEY=VALUE", value_parser = assignment)]
+        #[arg(long, value_name = "KEY=VALUE", value_parser = assignment, help = SET_HELP)]
         set: Vec<String>,
     },
 }
@@ -73,8 +75,7 @@ pub(crate) struct Run {
     /// Write into --out even if it holds something else; only our own files are replaced
     #[arg(long)]
     pub(crate) force: bool,
-    /// Write one value over the scenario's, such as chain.uavs=5 or pilot.0.speed_mps=0.1 (repeatable)
-    #[arg(long, value_name = "KEY=VALUE", value_parser = assignment)]
+    #[arg(long, value_name = "KEY=VALUE", value_parser = assignment, help = SET_HELP)]
     pub(crate) set: Vec<String>,
     /// Print the summary as JSON on stdout, and nothing else there
     #[arg(long)]

@@ -11,7 +11,8 @@ mod watch;
 
 use std::{
     ffi::OsString,
-    io::{self, Write},
+    fmt::Write as _,
+    io::{self, Write as _},
     process::ExitCode,
 };
 
@@ -62,7 +63,8 @@ fn list() -> Result<String, ConfigError> {
     let mut lines = String::new();
     for source in builtin_names().iter().filter_map(|name| builtin(name)) {
         let Scenario { name, description, .. } = Scenario::parse(&source, &[])?;
-        lines += &format!("{name:width$}  {description}\n");
+        // Writing to a String cannot fail.
+        let _ = writeln!(lines, "{name:width$}  {description}");
     }
     Ok(lines)
 }

@@ -75,24 +75,11 @@ impl Folder {
 
     fn prepare(&self, name: &str, bytes: &[u8]) -> Result<NamedTempFile, Failure> {
         let write = || {
-            let mut file = tempfile::Builder::new().prefix(UNFINISHED).tempfile_in(&self.path)?;
+            let mut file = unfinished_file(&self.path)?;
             file.write_all(bytes)?;
-            self.open_to_readers(&file)?;
             Ok(file)
         };
         write().map_err(|cause| self.failed(name, cause))
-    }
-
-    /// Temporary files are for their owner only; results are not secret.
-    #[cfg(unix)]
-    fn open_to_readers(&self, file: &NamedTempFile) -> io::Result<()> {
-        use std::os::unix::fs::PermissionsExt as _;
-        file.as_file().set_permissions(fs::Permissions::from_mode(0o644))
-    }
-
-    #[cfg(not(unix))]
-    fn open_to_readers(&self, _: &NamedTempFile) -> io::Result<()> {
-        Ok(())
     }
 
     fn show(&self, name: &str, file: NamedTempFile) -> Result<(), Failure> {
@@ -105,4 +92,17 @@ impl Folder {
     fn failed(&self, name: &str, cause: io::Error) -> Failure {
         Failure::Write { file: self.path.join(name), cause }
     }
+}
+
+/// Readable as the user's umask says: results are not secret, as temporary files otherwise are.
+#[cfg(unix)]
+fn unfinished_file(folder: &Path) -> io::Result<NamedTempFile> {
+    use std::os::unix::fs::PermissionsExt as _;
+    let permissions = fs::Permissions::from_mode(0o666);
+    tempfile::Builder::new().prefix(UNFINISHED).permissions(permissions).tempfile_in(folder)
+}
+
+#[cfg(not(unix))]
+fn unfinished_file(folder: &Path) -> io::Result<NamedTempFile> {
+    tempfile::Builder::new().prefix(UNFINISHED).tempfile_in(folder)
 }

@@ -2,6 +2,9 @@
 //!
 //! One tick is five words: sense, decide, act, advance, record; read [`sim`] first.
 
+// Brings the program its own exp, sin and log, for what rapier and parry ask of the system.
+use uchain_libm as _;
+
 pub mod analyse;
 pub mod config;
 #[cfg(feature = "draw")]

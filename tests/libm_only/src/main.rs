@@ -1,8 +1,11 @@
-//! `digest SCENARIO SEED`: flies a compiled-in scenario and prints the digest of the run.
+//! `digest SCENARIO SEED [KEY=VALUE]...`: flies a compiled-in scenario and prints the digest of the run.
 
 use std::{env, error::Error, process::ExitCode};
 
-use uchain_sim::{config, run};
+use uchain_sim::{
+    config::{Course, Source},
+    run::run,
+};
 
 fn main() -> ExitCode {
     let args: Vec<String> = env::args().skip(1).collect();
@@ -19,7 +22,9 @@ fn main() -> ExitCode {
 }
 
 fn digest(args: &[String]) -> Result<String, Box<dyn Error>> {
-    let [scenario, seed] = args else { return Err("usage: digest SCENARIO SEED".into()) };
-    let course = config::builtin(scenario)?;
-    Ok(run::run(&course, seed.parse()?, &mut ())?.digest)
+    let [scenario, seed, sets @ ..] = args else {
+        return Err("usage: digest SCENARIO SEED [KEY=VALUE]...".into());
+    };
+    let course = Course::read(&Source::find(scenario)?, sets)?;
+    Ok(run(&course, seed.parse()?, &mut ())?.digest)
 }

@@ -1,17 +1,16 @@
 //! `uchain-core` as a drone would link it. This library brings a panic handler and no allocator, so it builds only
 //! while nothing under the core pulls in std, which brings another handler, or alloc, which needs an allocator.
-//! Every law is called from an exported function: none is dropped before the archive is looked at.
+//!
+//! Whole nodes fly with tunables the compiler cannot know, so that every variant of every law is linked.
 #![no_std]
 
-use core::fmt::Write as _;
+use core::{fmt::Write as _, hint::black_box};
 
 use uchain_core::{
     chain::{
-        CenterParams, EqualizeParams, Follow, HeadGuard, Heard, KalmanParams, LinkEnd, LinkParams, Node,
-        NodeParams, Observation, Packet, RadioSlot, RelayGuard, Role, ScalarKalman, Takeoff, TakeoffParams,
-        Tof, center, equalize,
+        CenterParams, EqualizeParams, Heard, KalmanParams, Node, NodeParams, Observation, RadioSlot, Role,
+        ScalarKalman, Tof, center, equalize,
     },
-    params::OutOfRange,
     seam::Brain as _,
 };
 
@@ -23,8 +22,8 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
 /// Whole nodes, a head and a relay, for as many decisions as asked.
 #[unsafe(no_mangle)]
 pub extern "C" fn fly(decisions: u32, loss_db: f32, speed_mps: f32, distance_m: f32) -> f32 {
-    let mut head = Node::new(Role::Head, NodeParams::default());
-    let mut relay = Node::new(Role::Relay, NodeParams::default());
+    let mut head = Node::new(Role::Head, black_box(NodeParams::default()));
+    let mut relay = Node::new(Role::Relay, black_box(NodeParams::default()));
     let tof = Tof { nw_m: distance_m, ne_m: 1.0, sw_m: 1.0, se_m: distance_m };
     let mut sum = 0.0;
     for _ in 0..decisions {
@@ -42,32 +41,23 @@ pub extern "C" fn fly(decisions: u32, loss_db: f32, speed_mps: f32, distance_m: 
     sum + head.back_loss_db().unwrap_or(0.0) + relay.front_loss_db().unwrap_or(0.0)
 }
 
-/// Each law by itself.
+/// The laws that stand by themselves.
 #[unsafe(no_mangle)]
 pub extern "C" fn laws(loss_db: f32, speed_mps: f32, distance_m: f32, backward: bool) -> f32 {
-    let kalman = KalmanParams::default();
+    let kalman = black_box(KalmanParams::default());
     let filtered = ScalarKalman::start(loss_db, &kalman).map_or(0.0, |mut filter| {
         filter.predict(speed_mps, 0.2, &kalman);
         filter.update(loss_db, &kalman);
         filter.loss_db() + filter.variance_db2()
     });
     let tof = Tof { nw_m: distance_m, ne_m: 1.0, sw_m: 1.0, se_m: distance_m };
-    let centering = center(&tof, backward, Follow::Left, &CenterParams::default());
-    let (link, mut end) = (LinkParams::default(), LinkEnd::new(uchain_core::chain::End::Front));
-    end.hear(Some(&Heard { loss_db, packet: Packet::default() }), speed_mps, 0.2, &kalman);
-    let held = HeadGuard::default().limit(speed_mps, &end, &link)
-        + RelayGuard::default().limit(speed_mps, &end, &end, &link);
-    let due = Takeoff::default().due(loss_db, 10.0, 0.2, &TakeoffParams::default());
-    filtered
-        + centering.lateral_mps
-        + equalize(loss_db, distance_m, &EqualizeParams::default())
-        + held
-        + f32::from(u8::from(due))
+    let centering = center(&tof, backward, Default::default(), &black_box(CenterParams::default()));
+    filtered + centering.lateral_mps + equalize(loss_db, distance_m, &black_box(EqualizeParams::default()))
 }
 
 /// How long the message about a bad tunable is, in bytes.
 #[unsafe(no_mangle)]
-pub extern "C" fn complain(gain: f32) -> usize {
+pub extern "C" fn complain(v_max_mps: f32) -> usize {
     struct Length(usize);
     impl core::fmt::Write for Length {
         fn write_str(&mut self, text: &str) -> core::fmt::Result {
@@ -76,8 +66,7 @@ pub extern "C" fn complain(gain: f32) -> usize {
         }
     }
     let mut length = Length(0);
-    let checked: Result<(), OutOfRange> = CenterParams { c_t_per_s: gain, ..CenterParams::default() }.check();
-    if let Err(error) = checked {
+    if let Err(error) = (EqualizeParams { v_max_mps, ..EqualizeParams::default() }).check() {
         let _ = write!(length, "{error} {error:?}");
     }
     length.0

@@ -30,7 +30,7 @@ crate::params! {
         pub tolerance_db: f32 = 0.0, in 0.0..=100.0;
         /// Largest speed (m/s).
         pub v_max_mps: f32 = 0.3, in 0.0..=1.0;
-        /// Time between two decisions, T_s (s); a multiple of the simulator's tick.
+        /// Time between two decisions, `T_s` (s); a multiple of the simulator's tick.
         pub decision_s: f32 = 0.2, in 0.05..=10.0;
         /// Distance that "inverse-model" reads from a loss of 0 dB, d0 in D(r) = d0 exp(r / scale) (m).
         pub model_d0_m: f32 = 0.25, in 0.0001..=100.0;

@@ -89,9 +89,9 @@ mod tests {
             filter.update(55.0, &params);
         }
         assert!((filter.loss_db() - 55.0).abs() < 1e-3);
-        // Fixed point of P⁺ = (P + Q) R / (P + Q + R): P = (−Q + √(Q² + 4 Q R)) / 2.
+        // Fixed point of P⁺ = (P + Q) R / (P + Q + R): P = (√(Q² + 4 Q R) − Q) / 2.
         let (q, r) = (0.1_f32, 5.0_f32);
-        let settled = (-q + (q * q + 4.0 * q * r).sqrt()) / 2.0;
+        let settled = 0.5 * ((q * q + 4.0 * q * r).sqrt() - q);
         assert!((filter.variance_db2() - settled).abs() < 1e-4);
     }
 

@@ -2,7 +2,7 @@
 
 mod center;
 mod equalize;
-mod firmware;
+mod guard;
 mod kalman;
 mod link;
 mod node;
@@ -11,8 +11,9 @@ mod takeoff;
 
 pub use center::{CenterLaw, CenterParams, Centering, center};
 pub use equalize::{EqualizeParams, SpeedLaw, equalize};
+pub use guard::{HeadGuard, RelayGuard};
 pub use kalman::{KalmanParams, ScalarKalman};
-pub use link::{End, Gap, HeadGuard, LinkEnd, LinkParams, RelayGuard, Signal};
+pub use link::{End, Gap, LinkEnd, LinkParams, Signal};
 pub use node::{Node, NodeParams, Role};
 pub use seam::{Command, Follow, Heard, Observation, Packet, Pilot, RadioSlot, Tof};
 pub use takeoff::{Launch, Takeoff, TakeoffParams};

@@ -19,7 +19,7 @@ crate::params! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
     pub struct TakeoffParams {
-        /// Loss of the base link above which the chain needs one more UAV, s_min of Laclau 2021 read as
+        /// Loss of the base link above which the chain needs one more UAV, `s_min` of Laclau 2021 read as
         /// a loss (dB).
         pub s_min_db: f32 = 60.0, in -50.0..=200.0;
         /// "threshold", or "converged": only once the flying chain has levelled (the paper's preprint).

@@ -87,7 +87,7 @@ pub struct PlanRow {
     /// Least worst link with 1, 2, … links (dB), up to as many as are needed and at most [`MOST_LISTED`]; where no
     /// number would do, up to as many as there are UAVs.
     pub bottleneck_by_links_db: Vec<f64>,
-    /// Fewest relays that keep every link within s_min; `None` where no number does.
+    /// Fewest relays that keep every link within `s_min`; `None` where no number does.
     pub relays_needed: Option<usize>,
     /// Least worst link with so many relays (dB).
     pub bottleneck_db: Option<f64>,

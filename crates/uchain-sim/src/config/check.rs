@@ -38,7 +38,7 @@ struct Check<'d> {
 }
 
 impl Check<'_> {
-    fn invalid(&self, key: &str, got: impl ToString, expected: impl Into<String>) -> ConfigError {
+    fn invalid(&self, key: &str, got: &dyn ToString, expected: impl Into<String>) -> ConfigError {
         ConfigError::Invalid {
             at: self.document.origin(key),
             key: key.to_owned(),
@@ -51,7 +51,7 @@ impl Check<'_> {
         if (low..=high).contains(&got) {
             return Ok(());
         }
-        Err(self.invalid(key, got, format!("must lie in {low}..={high}")))
+        Err(self.invalid(key, &got, format!("must lie in {low}..={high}")))
     }
 
     fn ticks(&self, key: &str, got_s: f64) -> Result<(), ConfigError> {
@@ -59,7 +59,7 @@ impl Check<'_> {
         if (ticks - ticks.round()).abs() <= 1e-4 && ticks > 0.5 {
             return Ok(());
         }
-        Err(self.invalid(key, got_s, format!("must be a multiple of the tick, {TICK_S} s")))
+        Err(self.invalid(key, &got_s, format!("must be a multiple of the tick, {TICK_S} s")))
     }
 
     fn name(&self, name: &str) -> Result<(), ConfigError> {
@@ -68,7 +68,7 @@ impl Check<'_> {
             return Ok(());
         }
         let expected = "must be 1 to 64 of the letters a-z, A-Z, 0-9, - and _ (it names the output folder)";
-        Err(self.invalid("name", format!("{name:?}"), expected))
+        Err(self.invalid("name", &format!("{name:?}"), expected))
     }
 
     fn map(&self, scenario: &Scenario) -> Result<(), ConfigError> {
@@ -79,7 +79,7 @@ impl Check<'_> {
                     let key = format!("map.corridor.centre_line_m.{i}");
                     if !(2..=3).contains(&corner.len()) {
                         let got = format!("{} numbers", corner.len());
-                        return Err(self.invalid(&key, got, "must be [x, y] or [x, y, r]"));
+                        return Err(self.invalid(&key, &got, "must be [x, y] or [x, y, r]"));
                     }
                     for (j, &value_m) in corner.iter().enumerate() {
                         let low_m = if j == 2 { 0.0 } else { -COORDINATE_MAX_M };
@@ -105,7 +105,7 @@ impl Check<'_> {
         let Some(spawns) = &chain.spawns_m else { return Ok(()) };
         if spawns.len() != chain.uavs {
             let expected = format!("must be one place per UAV (chain.uavs = {})", chain.uavs);
-            return Err(self.invalid("chain.spawns_m", format!("{} places", spawns.len()), expected));
+            return Err(self.invalid("chain.spawns_m", &format!("{} places", spawns.len()), expected));
         }
         spawns.iter().enumerate().try_for_each(|(i, &at)| self.point(&format!("chain.spawns_m.{i}"), at))
     }
@@ -120,7 +120,7 @@ impl Check<'_> {
         let pilot = &scenario.pilot;
         if pilot.len() > PILOT_MAX {
             let expected = format!("must be at most {PILOT_MAX} steps");
-            return Err(self.invalid("pilot", format!("{} steps", pilot.len()), expected));
+            return Err(self.invalid("pilot", &format!("{} steps", pilot.len()), expected));
         }
         let mut before_s = None;
         for (i, step) in pilot.iter().enumerate() {
@@ -129,7 +129,7 @@ impl Check<'_> {
             self.range(&format!("pilot.{i}.speed_mps"), f64::from(step.speed_mps), -1.0, 1.0)?;
             if let Some(before_s) = before_s.filter(|&b| step.start_s <= b) {
                 let expected = format!("must be later than the step before it, which starts at {before_s} s");
-                return Err(self.invalid(&start, step.start_s, expected));
+                return Err(self.invalid(&start, &step.start_s, expected));
             }
             before_s = Some(step.start_s);
         }
@@ -152,7 +152,7 @@ impl Check<'_> {
         for (table, checked) in tables {
             if let Err(OutOfRange { key, got, low, high }) = checked {
                 let key = format!("{table}.{key}");
-                return Err(self.invalid(&key, got, format!("must lie in {low}..={high}")));
+                return Err(self.invalid(&key, &got, format!("must lie in {low}..={high}")));
             }
         }
         Ok(())

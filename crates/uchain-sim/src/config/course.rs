@@ -107,7 +107,8 @@ impl Course {
             }
             spawns.push(Spawn { at, heading_rad });
         }
-        let path_loss = PathLoss::new(scenario.radio.clone());
+        let path_loss = PathLoss::new(scenario.radio.clone(), &map)
+            .map_err(|cause| refuse(document, "radio.detour_db_per_m", cause))?;
         Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, chart: OnceLock::new() })
     }
 
@@ -121,7 +122,7 @@ impl Course {
     pub(crate) fn antenna_at(&self, depth_m: f64) -> Option<Antenna> {
         let (at, heading_rad) = self.tunnel.as_ref()?.at(depth_m);
         let heading_rad = (depth_m > 0.0).then_some(heading_rad);
-        Some(Antenna { at, heading_rad, depth_m: Some(depth_m as f32) })
+        Some(Antenna { at, heading_rad })
     }
 }
 
@@ -171,7 +172,7 @@ fn read(config: &RosConfig, source: &Source) -> Result<Map, MapError> {
 }
 
 fn refuse(document: &Document<'_>, key: &str, cause: MapError) -> ConfigError {
-    ConfigError::Map { at: document.origin(key), key: key.to_owned(), cause }
+    ConfigError::Map { at: document.origin(key), key: key.to_owned(), cause: Box::new(cause) }
 }
 
 /// Checks one place after the other.

@@ -42,17 +42,12 @@ impl fmt::Display for Origin {
 #[derive(Debug, thiserror::Error)]
 pub enum ConfigError {
     /// No compiled-in scenario of this name.
-    #[error(
-        "unknown scenario '{name}'{}; give one of these names, or a path to a file such as ./{name}.toml \
-         (known: {})", did_you_mean(.nearest.as_deref()), known_list(.known)
-    )]
+    #[error("unknown scenario '{name}'{choices}; a path to a file works as well, such as ./{name}.toml")]
     UnknownScenario {
         /// The name asked for.
         name: String,
-        /// The known name nearest to it.
-        nearest: Option<String>,
-        /// All known names.
-        known: Vec<String>,
+        /// What could stand there.
+        choices: Box<Choices>,
     },
     /// The file cannot be read.
     #[error("{label}: cannot read the scenario: {cause}")]
@@ -93,22 +88,17 @@ pub enum ConfigError {
         message: String,
     },
     /// A key that nothing reads.
-    #[error("{at}: unknown key '{key}'{} (known: {})", did_you_mean(.nearest.as_deref()), known_list(.known))]
+    #[error("{at}: unknown key '{key}'{choices}")]
     UnknownKey {
         /// Where.
         at: Origin,
         /// The key with its tables, as written.
         key: String,
-        /// The known key nearest to it, without its tables.
-        nearest: Option<String>,
-        /// Every key that could stand there.
-        known: Vec<String>,
+        /// What could stand there.
+        choices: Box<Choices>,
     },
     /// A word that is none of the choices.
-    #[error(
-        "{at}: {key} = \"{got}\": unknown choice{} (known: {})",
-        did_you_mean(.nearest.as_deref()), known_list(.known)
-    )]
+    #[error("{at}: {key} = \"{got}\": unknown choice{choices}")]
     UnknownChoice {
         /// Where.
         at: Origin,
@@ -116,10 +106,8 @@ pub enum ConfigError {
         key: String,
         /// The word found.
         got: String,
-        /// The known word nearest to it.
-        nearest: Option<String>,
-        /// Every choice.
-        known: Vec<String>,
+        /// What could stand there.
+        choices: Box<Choices>,
     },
     /// A key without which nothing flies.
     #[error("{at}: missing key '{key}'")]
@@ -149,14 +137,14 @@ pub enum ConfigError {
         /// The key with its tables.
         key: String,
         /// What the map room said.
-        cause: MapError,
+        cause: Box<MapError>,
     },
 }
 
 impl ConfigError {
     pub(super) fn unknown_scenario(name: &str) -> Self {
         let known: Vec<String> = builtin_names().iter().map(|&n| n.to_owned()).collect();
-        Self::UnknownScenario { name: shorten(name), nearest: nearest(name, &known), known }
+        Self::UnknownScenario { name: shorten(name), choices: Box::new(Choices::for_word(name, known)) }
     }
 }
 
@@ -171,21 +159,34 @@ pub(super) fn shorten(text: &str) -> String {
     short
 }
 
-/// The known name nearest to `got`; `None` when none is near enough to be meant.
-pub(super) fn nearest(got: &str, known: &[String]) -> Option<String> {
-    let got = shorten(&got.to_lowercase());
-    known
-        .iter()
-        .map(|name| (strsim::damerau_levenshtein(&got, name), name))
-        .min_by_key(|(edits, _)| *edits)
-        .filter(|(edits, name)| *edits <= 1 + name.chars().count().max(got.chars().count()) / 3)
-        .map(|(_, name)| name.clone())
+/// The names that are known where an unknown one was found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Choices {
+    /// The one nearest to what was found, if any is near enough to be meant.
+    pub nearest: Option<String>,
+    /// All of them.
+    pub known: Vec<String>,
 }
 
-fn did_you_mean(nearest: Option<&str>) -> String {
-    nearest.map_or_else(String::new, |name| format!("; did you mean '{name}'?"))
+impl Choices {
+    /// What could stand where `got` does.
+    pub(super) fn for_word(got: &str, known: Vec<String>) -> Self {
+        let got = shorten(&got.to_lowercase());
+        let nearest = known
+            .iter()
+            .map(|name| (strsim::damerau_levenshtein(&got, name), name))
+            .min_by_key(|(edits, _)| *edits)
+            .filter(|(edits, name)| *edits <= 1 + name.chars().count().max(got.chars().count()) / 3)
+            .map(|(_, name)| name.clone());
+        Self { nearest, known }
+    }
 }
 
-fn known_list(known: &[String]) -> String {
-    known.join(", ")
+impl fmt::Display for Choices {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(name) = &self.nearest {
+            write!(f, "; did you mean '{name}'?")?;
+        }
+        write!(f, " (known: {})", self.known.join(", "))
+    }
 }

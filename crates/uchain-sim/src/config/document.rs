@@ -222,7 +222,7 @@ fn whole(source: &Source) -> Origin {
 
 fn line_of(source: &Source, byte: usize) -> Origin {
     let before = source.text.as_bytes().get(..byte).unwrap_or(source.text.as_bytes());
-    let line = 1 + before.iter().filter(|&&b| b == b'\n').count();
+    let line = before.split(|&b| b == b'\n').count();
     Origin::Line { label: source.label.clone(), line }
 }
 

@@ -5,7 +5,7 @@ use toml::de::ValueDeserializer;
 
 use super::{
     ConfigError, Scenario, Source, check,
-    diagnose::{Origin, nearest, shorten},
+    diagnose::{Choices, Origin, shorten},
     document::Document,
 };
 
@@ -52,8 +52,8 @@ fn explain(error: &toml::de::Error, document: &Document<'_>) -> ConfigError {
         if path.split('.').any(|step| step == shorten(got)) {
             return unknown_key(at, &path, got, known);
         }
-        let nearest = nearest(got, &known);
-        return ConfigError::UnknownChoice { at, key: path, got: shorten(got), nearest, known };
+        let choices = Box::new(Choices::for_word(got, known));
+        return ConfigError::UnknownChoice { at, key: path, got: shorten(got), choices };
     }
     if let Some(key) = message.strip_prefix("missing field `").and_then(|m| m.strip_suffix('`')) {
         return ConfigError::Missing { at, key: join(&path, key) };
@@ -75,8 +75,11 @@ fn unknown_key(at: Origin, path: &str, got: &str, known: Vec<String>) -> ConfigE
     let steps: Vec<&str> = path.split('.').filter(|step| !step.is_empty()).collect();
     let depth = steps.iter().rposition(|step| *step == shorten(got)).unwrap_or(steps.len());
     let table = steps.get(..depth).unwrap_or_default().join(".");
-    let nearest = nearest(got, &known);
-    ConfigError::UnknownKey { at, key: join(&table, &shorten(got)), nearest, known }
+    ConfigError::UnknownKey {
+        at,
+        key: join(&table, &shorten(got)),
+        choices: Box::new(Choices::for_word(got, known)),
+    }
 }
 
 /// ``unknown field `got`, expected `a` or `b` `` as (got, [a, b]).

@@ -11,6 +11,6 @@ mod source;
 mod tests;
 
 pub use course::{Course, Spawn};
-pub use diagnose::{ConfigError, Origin};
+pub use diagnose::{Choices, ConfigError, Origin};
 pub use scenario::{ChainConfig, CorridorConfig, MapConfig, PilotStep, RosConfig, Scenario};
 pub use source::{Source, TEXT_MAX_BYTES, builtin, builtin_names};

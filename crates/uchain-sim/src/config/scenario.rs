@@ -111,8 +111,8 @@ pub struct ChainConfig {
     pub uavs: usize,
     /// The base station (m).
     pub base_m: [f32; 2],
-    /// The deepest place the head may be sent to (m). A map without a centre line needs it for everything that is
-    /// counted in depth: the optimum, the plan, the radio's detour.
+    /// The deepest place the head may be sent to (m). A map without a centre line needs it for what is counted in
+    /// depth: the optimum and the plan.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub goal_m: Option<[f32; 2]>,
     /// How long a UAV flies on one battery (s), for the plan (1 to 86,400); 5 to 15 min in Laclau 2021, §7.

@@ -11,9 +11,11 @@ use super::ConfigError;
 pub const TEXT_MAX_BYTES: u64 = 1 << 20;
 
 /// The compiled-in scenarios; the one list of them.
-const BUILTIN: [(&str, &str); 4] = [
+const BUILTIN: [(&str, &str); 6] = [
     ("bend", include_str!("../../scenarios/bend.toml")),
+    ("circuit", include_str!("../../scenarios/circuit.toml")),
     ("corner", include_str!("../../scenarios/corner.toml")),
+    ("staircase", include_str!("../../scenarios/staircase.toml")),
     ("stata", include_str!("../../scenarios/stata.toml")),
     ("straight", include_str!("../../scenarios/straight.toml")),
 ];

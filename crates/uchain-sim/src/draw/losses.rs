@@ -4,7 +4,7 @@ use kuva::render::render::Scene;
 
 use super::{
     colour::{self, GREY, INK},
-    panel::{Panel, ROW, caption, legend, rule},
+    panel::{Panel, ROW, caption, legend, rule, unclip},
 };
 use crate::{
     analyse::Summary,
@@ -66,8 +66,8 @@ impl<'a> Losses<'a> {
     /// UAVs named in the legend: all of a short chain, some of a long one.
     fn named(&self) -> impl Iterator<Item = usize> + use<> {
         let last = self.uavs - 1;
-        let steps = last.min(NAMED_MAX - 1);
-        (0..=steps).map(move |i| if steps == 0 { 0 } else { i * last / steps })
+        let steps = last.clamp(1, NAMED_MAX - 1);
+        (0..=steps.min(last)).map(move |i| i * last / steps)
     }
 
     pub(super) fn draw(&self, scene: &mut Scene, panel: &Panel) {
@@ -84,7 +84,7 @@ impl<'a> Losses<'a> {
         }
         let (left, y) = panel.at(0.0, self.s_min_db);
         rule(scene, (left, y), (panel.right(), y), &INK, 1.2, Some("6 4"));
-        panel.unclip(scene);
+        unclip(scene);
         self.legend(scene, panel);
     }
 

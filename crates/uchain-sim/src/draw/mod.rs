@@ -33,7 +33,7 @@ pub enum DrawError {
 pub fn run_png(course: &Course, history: &History, summary: &Summary) -> Result<Vec<u8>, DrawError> {
     let losses = Losses::new(course, history, summary);
     let losses_panel = Panel::new(42.0, losses.height(), losses.x_range(), losses.y_range());
-    let tunnel = Tunnel::new(course, history);
+    let tunnel = Tunnel::new(course, history, summary);
     let tunnel_panel = tunnel.panel(losses_panel.bottom() + 58.0);
 
     let mut scene = Scene::new(FIGURE_WIDTH, tunnel_panel.bottom() + 44.0);

@@ -14,7 +14,7 @@ pub(super) const FIGURE_WIDTH: f64 = 700.0;
 /// Room left of the axes for numbers and the label.
 const LEFT: f64 = 54.0;
 /// Room right of the axes for the legend.
-const RIGHT: f64 = 104.0;
+const RIGHT: f64 = 112.0;
 /// Width of the axes' box.
 pub(super) const BOX_WIDTH: f64 = FIGURE_WIDTH - LEFT - RIGHT;
 
@@ -86,15 +86,11 @@ impl Panel {
         scene.add(label((14.0, middle.1), y_label, Some(-90.0)));
     }
 
-    /// Nothing that follows leaves the box, until [`Panel::unclip`].
+    /// Nothing that follows leaves the box, until [`unclip`].
     pub(super) fn clip(&self, scene: &mut Scene) {
         let (x, y) = (self.left(), self.top());
         let (width, height) = (self.right() - x, self.bottom() - y);
         scene.add(Primitive::ClipStart { x, y, width, height, id: format!("box{y}") });
-    }
-
-    pub(super) fn unclip(&self, scene: &mut Scene) {
-        scene.add(Primitive::ClipEnd);
     }
 
     /// A line through values; a gap wherever a value is missing.
@@ -119,6 +115,11 @@ impl Panel {
             }
         }
     }
+}
+
+/// Ends what [`Panel::clip`] began.
+pub(super) fn unclip(scene: &mut Scene) {
+    scene.add(Primitive::ClipEnd);
 }
 
 /// A straight line on the page.

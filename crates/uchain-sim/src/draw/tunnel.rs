@@ -9,16 +9,17 @@ use kuva::render::{
 use super::{
     colour::{self, FREE, INK, ROCK, WALL},
     losses::thinned,
-    panel::{BOX_WIDTH, Panel, dot, legend, rule},
+    panel::{BOX_WIDTH, Panel, dot, legend, rule, unclip},
 };
 use crate::{
+    analyse::Summary,
     config::Course,
     map::Segment,
     record::{Frame, History, UavFrame},
 };
 
 /// Lowest and highest box.
-const HEIGHTS: (f64, f64) = (120.0, 440.0);
+const HEIGHTS: (f64, f64) = (120.0, 360.0);
 /// Least room around the tracks (m), and as a share of their size.
 const MARGIN_M: f64 = 0.8;
 const MARGIN_SHARE: f64 = 0.04;
@@ -34,19 +35,13 @@ pub(super) struct Tunnel<'a> {
 }
 
 impl<'a> Tunnel<'a> {
-    pub(super) fn new(course: &'a Course, history: &'a History) -> Self {
+    pub(super) fn new(course: &'a Course, history: &'a History, summary: &Summary) -> Self {
         let frames = thinned(&history.frames);
-        let flown = history
-            .frames
-            .iter()
-            .map(|frame| frame.uavs.iter().filter(|uav| uav.airborne).count())
-            .max()
-            .unwrap_or(0);
         let mut tunnel = Self {
             course,
             frames,
             last: history.frames.last(),
-            flown,
+            flown: summary.launches_s.len().max(1),
             low_m: DVec2::INFINITY,
             high_m: DVec2::NEG_INFINITY,
         };
@@ -87,7 +82,7 @@ impl<'a> Tunnel<'a> {
         let (x, y) = self.on_page(panel, self.course.base.as_dvec2());
         square(scene, (x, y));
         self.uavs(scene, panel);
-        panel.unclip(scene);
+        unclip(scene);
         panel.axes(scene, "x (m)", "y (m)");
         self.legend(scene, panel);
     }

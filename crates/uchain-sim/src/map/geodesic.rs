@@ -22,8 +22,8 @@ pub struct Geodesic {
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Corner {
-    at: Vec2,
+pub(super) struct Corner {
+    pub(super) at: Vec2,
     /// The ends of the two walls that meet here.
     before: DVec2,
     after: DVec2,
@@ -32,7 +32,7 @@ struct Corner {
 
 impl Corner {
     /// Whether a string from here to `p` can bend round the corner: both walls lie on one side of it.
-    fn is_taut(&self, p: DVec2) -> bool {
+    pub(super) fn is_taut(&self, p: DVec2) -> bool {
         let at = self.at.as_dvec2();
         let (before, after) = (orient(p, at, self.before), orient(p, at, self.after));
         !super::geometry::opposite(before, after)
@@ -49,14 +49,7 @@ impl Map {
         if self.in_rock(source) {
             return Err(MapError::InRock { x: f64::from(source.x), y: f64::from(source.y) });
         }
-        if let Some(at) = self.first_crossing() {
-            return Err(MapError::WallsCross { x: f64::from(at.x), y: f64::from(at.y) });
-        }
-        let mut open: Vec<Corner> = self.loops().flat_map(|walls| self.corners_of_rock(walls)).collect();
-        if open.len() > MOST_CORNERS {
-            let what = "corners of rock in the map";
-            return Err(MapError::Count { what, got: open.len(), least: 0, most: MOST_CORNERS });
-        }
+        let mut open = self.corners_in_the_way(MOST_CORNERS)?;
         let from = source.as_dvec2();
         for corner in &mut open {
             if corner.is_taut(from) && self.sees(source, corner.at) {
@@ -81,6 +74,19 @@ impl Map {
             corners.push(here);
         }
         Ok(Geodesic { source, corners })
+    }
+
+    /// All corners a shortest way may bend round, none of them reached yet.
+    pub(super) fn corners_in_the_way(&self, most: usize) -> Result<Vec<Corner>, MapError> {
+        if let Some(at) = self.first_crossing() {
+            return Err(MapError::WallsCross { x: f64::from(at.x), y: f64::from(at.y) });
+        }
+        let corners: Vec<Corner> = self.loops().flat_map(|walls| self.corners_of_rock(walls)).collect();
+        if corners.len() > most {
+            let what = "corners of rock in the map";
+            return Err(MapError::Count { what, got: corners.len(), least: 0, most });
+        }
+        Ok(corners)
     }
 
     /// The corners of one loop whose rock spans less than half a turn.

@@ -19,6 +19,7 @@ mod ros;
 #[cfg(test)]
 mod tests;
 mod tunnel;
+mod ways;
 
 use std::ops::ControlFlow;
 
@@ -33,6 +34,7 @@ pub use geometry::Segment;
 #[cfg(feature = "maps")]
 pub use ros::read_ros;
 pub use tunnel::Tunnel;
+pub use ways::Ways;
 
 use geometry::{distance_squared, touch};
 use grid::Grid;

@@ -1,14 +1,13 @@
 //! The chain: brains in order, the links between them, and the pilot of the head.
 
-use glam::Vec2;
 use uchain_core::{
     chain::{Command, Node, NodeParams, Observation, Packet, Pilot, RadioSlot, Role},
     seam::Brain,
 };
 
 use crate::{
-    config::{Course, PilotStep, Scenario},
-    radio::{Antenna, Dead, PathLoss, Receiver, Side, receiver},
+    config::{Course, Scenario},
+    radio::{Antenna, Receiver, Side, receiver},
     record::{LinkFrame, TICKS_PER_S},
     seed::Seed,
     world::World,
@@ -17,10 +16,7 @@ use crate::{
 /// All brains of a run. UAVs take off in order; those in the air are the chain.
 #[derive(Debug)]
 pub struct ChainMission<'a> {
-    base: Vec2,
-    pilot: &'a [PilotStep],
-    dead: &'a [Dead],
-    path_loss: PathLoss,
+    course: &'a Course,
     nodes: Vec<Node>,
     receivers: Vec<Box<dyn Receiver>>,
     said: Vec<Packet>,
@@ -51,10 +47,7 @@ impl<'a> ChainMission<'a> {
         let role = |i| if i == 0 { Role::Head } else { Role::Relay };
         let receiver = |i| receiver(seed, i, scenario.radio.sigma_db, &scenario.packets, &scenario.faults);
         Self {
-            base: course.base,
-            pilot: &scenario.pilot,
-            dead: &scenario.faults.dead,
-            path_loss: PathLoss::new(scenario.radio.clone()),
+            course,
             nodes: (0..count).map(|i| Node::new(role(i), params.clone())).collect(),
             receivers: (0..count).map(receiver).collect(),
             said: Vec::with_capacity(count),
@@ -66,7 +59,7 @@ impl<'a> ChainMission<'a> {
 
     /// What the pilot asks of the head at this time.
     pub fn pilot_at(&self, time_s: f64) -> Pilot {
-        let now = self.pilot.iter().take_while(|step| step.start_s <= time_s).last();
+        let now = self.course.scenario.pilot.iter().take_while(|step| step.start_s <= time_s).last();
         now.map_or_else(Pilot::default, |step| Pilot { speed_mps: step.speed_mps, follow: step.follow })
     }
 
@@ -77,11 +70,13 @@ impl<'a> ChainMission<'a> {
         for observation in &mut *seen {
             observation.radio = Some(RadioSlot::default());
         }
+        let course = self.course;
         let antenna = |i: usize| {
             let body = &world.bodies()[i];
-            Antenna { heading_rad: Some(body.heading_rad), ..body.at.into() }
+            Antenna { at: body.at, heading_rad: Some(body.heading_rad) }
         };
-        let loss_db = |from: &Antenna, to: &Antenna| self.path_loss.loss_db(world.map(), from, to);
+        let base = course.base.into();
+        let loss_db = |from: &Antenna, to: &Antenna| course.path_loss.loss_db(&course.map, from, to);
         let mut hear = |i: usize, side, true_db, packet| {
             let heard = self.receivers[i].receive(tick, side, true_db, packet);
             if let Some(slot) = &mut seen[i].radio {
@@ -99,7 +94,7 @@ impl<'a> ChainMission<'a> {
                 hear(behind, Side::Front, true_db, self.said[i]);
                 self.links.push((i, true_db));
             } else {
-                let true_db = loss_db(&antenna(i), &self.base.into());
+                let true_db = loss_db(&antenna(i), &base);
                 hear(i, Side::Back, true_db, Packet::BASE);
                 self.links.push((i, true_db));
             }
@@ -113,7 +108,8 @@ impl<'a> ChainMission<'a> {
     /// Every brain sees the same instant and asks; a dead one asks for nothing any more.
     pub fn decide(&mut self, tick: u64, seen: &[Observation], asked: &mut [Command]) {
         let now_s = tick as f64 / TICKS_PER_S;
-        let is_dead = |i| self.dead.iter().any(|dead| dead.uav == i && dead.start_s <= now_s);
+        let is_dead =
+            |i| self.course.scenario.faults.dead.iter().any(|dead| dead.uav == i && dead.start_s <= now_s);
         self.flying.clear();
         for (i, node) in self.nodes.iter_mut().enumerate() {
             asked[i] = if is_dead(i) { Command::default() } else { node.decide(&seen[i]) };

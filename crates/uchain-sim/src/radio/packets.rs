@@ -69,3 +69,39 @@ impl Receiver for Radio {
         (arrives && loss_db < self.limit_db).then_some(Heard { loss_db, packet })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn share_heard(true_db: f32, params: &PacketParams) -> f64 {
+        let mut radio = Radio::new(Seed(1), 0, 3.0, params);
+        let heard = (0..20_000)
+            .filter(|tick| radio.receive(*tick, Side::Back, true_db, Packet::default()).is_some())
+            .count();
+        heard as f64 / 20_000.0
+    }
+
+    #[test]
+    fn a_fifth_is_lost_at_random_half_at_the_limit_and_all_far_beyond_it() {
+        let params = PacketParams::default();
+        for (true_db, expected) in [(60.0, 0.8), (100.0, 0.4), (120.0, 0.0)] {
+            let share = share_heard(true_db, &params);
+            assert!((share - expected).abs() < 0.015, "{share} heard at {true_db} dB");
+        }
+        assert_eq!(share_heard(60.0, &PacketParams { drop_rate: 1.0, ..params.clone() }), 0.0);
+        assert_eq!(share_heard(60.0, &PacketParams { drop_rate: 0.0, ..params }), 1.0);
+    }
+
+    #[test]
+    fn what_one_side_hears_moves_nobody_elses_draws() {
+        let params = PacketParams::default();
+        let mut front_only = Radio::new(Seed(1), 0, 3.0, &params);
+        let mut both = Radio::new(Seed(1), 0, 3.0, &params);
+        for tick in 0..100 {
+            both.receive(tick, Side::Back, 50.0, Packet::default());
+            let alone = front_only.receive(tick, Side::Front, 55.0, Packet::default());
+            assert_eq!(both.receive(tick, Side::Front, 55.0, Packet::default()), alone);
+        }
+    }
+}

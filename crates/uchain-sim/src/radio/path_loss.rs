@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::map::Map;
+use crate::map::{Map, MapError, Ways};
 
 /// How rock in the way raises the exponent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
@@ -51,14 +51,12 @@ pub struct Antenna {
     pub at: Vec2,
     /// Direction of the body that carries it (rad); `None` for the base station, which has no rotors.
     pub heading_rad: Option<f32>,
-    /// Depth along the tunnel (m), for the detour; `None` where the tunnel has no centre line.
-    pub depth_m: Option<f32>,
 }
 
 impl From<Vec2> for Antenna {
-    /// An antenna without direction or depth.
+    /// An antenna without direction.
     fn from(at: Vec2) -> Self {
-        Self { at, heading_rad: None, depth_m: None }
+        Self { at, heading_rad: None }
     }
 }
 
@@ -66,20 +64,22 @@ impl From<Vec2> for Antenna {
 #[derive(Debug, Clone)]
 pub struct PathLoss {
     params: PathLossParams,
+    /// Tunnel distances, where loss depends on them.
+    ways: Option<Ways>,
 }
 
 impl PathLoss {
-    /// A model with these parameters.
-    pub fn new(params: PathLossParams) -> Self {
-        Self { params }
+    /// A model with these parameters, for one map.
+    ///
+    /// # Errors
+    /// With a detour, the map's tunnel distances must be had: [`Map::ways`].
+    pub fn new(params: PathLossParams, map: &Map) -> Result<Self, MapError> {
+        let ways = if params.detour_db_per_m > 0.0 { Some(map.ways()?) } else { None };
+        Ok(Self { params, ways })
     }
 
-    /// Whether loss depends on depth along the tunnel.
-    pub fn needs_depth(&self) -> bool {
-        self.params.detour_db_per_m > 0.0
-    }
-
-    /// Loss between two antennas in a map, noise off (dB).
+    /// Loss between two antennas in the model's map, noise off (dB). Where no way through the tunnel joins
+    /// them, there is no detour to count.
     pub fn loss_db(&self, map: &Map, from: &Antenna, to: &Antenna) -> f32 {
         let p = &self.params;
         let alpha = match p.shadowing {
@@ -94,8 +94,8 @@ impl PathLoss {
         let straight_m = from.at.distance(to.at);
         let ratio = straight_m.max(p.reference_m) / p.reference_m;
         let mut loss_db = p.reference_loss_db + 10.0 * alpha * libm::log10f(ratio);
-        if let (true, Some(a_m), Some(b_m)) = (self.needs_depth(), from.depth_m, to.depth_m) {
-            loss_db += p.detour_db_per_m * ((a_m - b_m).abs() - straight_m).abs();
+        if let Some(way_m) = self.ways.as_ref().and_then(|ways| ways.distance_m(map, from.at, to.at)) {
+            loss_db += p.detour_db_per_m * (way_m - straight_m).abs();
         }
         if p.antenna_db > 0.0 {
             loss_db += p.antenna_db * (aim(from, to.at) + aim(to, from.at));

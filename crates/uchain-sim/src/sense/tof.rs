@@ -19,7 +19,7 @@ uchain_core::params! {
         /// Range; no return within it reads just this (m).
         pub range_m: f32 = 2.0, in 0.1..=100.0;
         /// Field of view (rad); 27°.
-        pub field_of_view_rad: f32 = 0.47123890, in 0.0..=3.14;
+        pub field_of_view_rad: f32 = 0.471_238_9, in 0.0..=3.0;
         /// Rays over the field of view; a reading is the shortest of them.
         pub rays: u32 = 5, in 1..=64;
         /// Time between two readings (s); a multiple of the simulator's tick.
@@ -137,3 +137,6 @@ impl TofNoise {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -25,7 +25,10 @@ pub(super) struct Contacts {
 
 impl core::fmt::Debug for Contacts {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Contacts").field("near", &self.near).field("touching", &self.touching).finish()
+        f.debug_struct("Contacts")
+            .field("near", &self.near)
+            .field("touching", &self.touching)
+            .finish_non_exhaustive()
     }
 }
 

@@ -53,7 +53,7 @@ impl Optimum {
 /// chart's tunnel) whose worst link is best, over all ordered places of the relays. `chart` is that of the same
 /// `loss_db`, which takes two depths (m), the shallower one first.
 ///
-/// * Where loss is continuous and grows with distance, all links are equal, to within 0.01 dB: the paper's s_eq.
+/// * Where loss is continuous and grows with distance, all links are equal, to within 0.01 dB: the paper's `s_eq`.
 /// * Where loss jumps, a least worst link may not exist, only be approached: the answer comes as near as relays
 ///   placed to [`RESOLUTION_M`] can. Its links are then unequal, the worst one counts.
 /// * Where loss does not grow everywhere with distance (a tunnel that turns back on itself), it is still the best

@@ -7,6 +7,8 @@ use crate::{config::Course, map::Tunnel};
 const STEP_M: f64 = 0.05;
 /// Most samples of a course's chart.
 const SAMPLES: f64 = 500.0;
+/// The same where a loss takes the way through the tunnel, hundreds of times the work.
+const SAMPLES_WITH_DETOUR: f64 = 120.0;
 
 /// What the best chain in a course's tunnel comes to.
 #[derive(Debug, Clone, Copy)]
@@ -30,7 +32,8 @@ impl Course {
         let tunnel = self.tunnel.as_ref()?;
         let loss_db = |a_m, b_m| self.loss_at_depths_db(a_m, b_m).unwrap_or(f64::NAN);
         let depth_m = tunnel.length_m();
-        let step_m = STEP_M.max(depth_m / SAMPLES);
+        let detour = self.scenario.radio.detour_db_per_m > 0.0;
+        let step_m = STEP_M.max(depth_m / if detour { SAMPLES_WITH_DETOUR } else { SAMPLES });
         let chart = self.chart.get_or_init(|| Chart::new(loss_db, depth_m, step_m, MOST_LINKS));
         Some(Yardstick { course: self, tunnel, chart })
     }

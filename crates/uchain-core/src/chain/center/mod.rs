@@ -1,8 +1,10 @@
 //! Centering: stay in mid-tunnel and turn with it by four diagonal ToF beams (Laclau 2021, §5).
 
+mod firmware;
+
 use nalgebra::{Matrix2x4, Vector2, Vector4};
 
-use super::{Follow, Tof, firmware};
+use super::{Follow, Tof};
 
 /// Whose centering.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -23,14 +25,14 @@ crate::params! {
     pub struct CenterParams {
         /// "paper" (Laclau 2021, Eq. 20 and 21) or "firmware" (as flown).
         pub law: CenterLaw = CenterLaw::Paper;
-        /// Lateral gain, C_t in Laclau 2021, Eq. 20 (1/s).
+        /// Lateral gain, `C_t` in Laclau 2021, Eq. 20 (1/s).
         pub c_t_per_s: f32 = 0.5, in 0.0..=20.0;
-        /// Yaw gain, C_r in Eq. 20 (rad/(s·m)).
+        /// Yaw gain, `C_r` in Eq. 20 (rad/(s·m)).
         pub c_r_rad_per_s_m: f32 = 3.5, in 0.0..=50.0;
         /// Largest lateral speed (m/s).
         pub lateral_max_mps: f32 = 0.4, in 0.0..=1.0;
         /// Largest yaw rate (rad/s); 60°/s.
-        pub yaw_rate_max_radps: f32 = 1.0471976, in 0.0..=20.0;
+        pub yaw_rate_max_radps: f32 = core::f32::consts::FRAC_PI_3, in 0.0..=20.0;
         /// Distance kept from a followed wall, along the beam, D in Eq. 21 (m).
         pub wall_distance_m: f32 = 0.28, in 0.0..=2.0;
         /// Difference of the two sides' front-to-rear ratios from which one wall is ignored (1).
@@ -50,7 +52,7 @@ crate::params! {
         /// "firmware": lateral gain (1/s).
         pub firmware_lateral_per_s: f32 = 2.0, in 0.0..=20.0;
         /// "firmware": yaw rate per relative difference of a side's beams (rad/s); 30°/s.
-        pub firmware_yaw_radps: f32 = 0.5235988, in 0.0..=20.0;
+        pub firmware_yaw_radps: f32 = core::f32::consts::FRAC_PI_6, in 0.0..=20.0;
         /// "firmware": width from which the nearer wall is followed instead of centering (m).
         pub firmware_wide_m: f32 = 1.0, in 0.0..=20.0;
         /// "firmware": distance kept from a followed wall (m).

@@ -1,0 +1,81 @@
+//! One mathematics for the whole program: the C names of the transcendental functions, answered by the Rust
+//! crate `libm`.
+//!
+//! The simulation calls `libm` itself. What it links does not always: rapier and parry call `f32::log2`,
+//! `exp`, `atan2` and `sin_cos` of std whatever their features say, and std asks the system, whose last bits
+//! depend on the C library and on the CPU. A program that links this crate brings its own symbols, so nobody
+//! in it asks the system. The step `libm` of the gate looks at a finished program to see that this holds.
+//!
+//! Nothing here is called by name: `use uchain_libm as _;` is all it takes.
+#![no_std]
+#![expect(unsafe_code, reason = "a symbol under a C name is all this crate is for; its meaning is C's own")]
+
+/// Functions of numbers, under the names and with the arguments of C's `math.h`.
+macro_rules! answer {
+    ($float:ident: $($name:ident($($x:ident),+))*) => {
+        $(
+            #[unsafe(no_mangle)]
+            extern "C" fn $name($($x: $float),+) -> $float {
+                libm::$name($($x),+)
+            }
+        )*
+    };
+}
+
+answer! {
+    f32:
+    sinf(x) cosf(x) tanf(x) asinf(x) acosf(x) atanf(x) atan2f(y, x)
+    sinhf(x) coshf(x) tanhf(x) asinhf(x) acoshf(x) atanhf(x)
+    expf(x) exp2f(x) exp10f(x) expm1f(x) logf(x) log2f(x) log10f(x) log1pf(x)
+    powf(x, y) cbrtf(x) hypotf(x, y) fmaf(x, y, z)
+}
+
+answer! {
+    f64:
+    sin(x) cos(x) tan(x) asin(x) acos(x) atan(x) atan2(y, x)
+    sinh(x) cosh(x) tanh(x) asinh(x) acosh(x) atanh(x)
+    exp(x) exp2(x) exp10(x) expm1(x) log(x) log2(x) log10(x) log1p(x)
+    pow(x, y) cbrt(x) hypot(x, y) fma(x, y, z)
+}
+
+/// C's `sincosf`: the compiler makes it of a sine and a cosine of one angle.
+#[unsafe(no_mangle)]
+extern "C" fn sincosf(x: f32, sin: &mut f32, cos: &mut f32) {
+    (*sin, *cos) = libm::sincosf(x);
+}
+
+/// C's `sincos`.
+#[unsafe(no_mangle)]
+extern "C" fn sincos(x: f64, sin: &mut f64, cos: &mut f64) {
+    (*sin, *cos) = libm::sincos(x);
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::hint::black_box;
+
+    #[test]
+    fn what_std_computes_is_what_libm_computes() {
+        for i in 0..2000_i16 {
+            let x = black_box(f32::from(i) * 0.037 - 30.0);
+            let y = f64::from(x);
+            #[expect(
+                clippy::disallowed_methods,
+                reason = "whether std's functions arrive here is the question"
+            )]
+            let of_std = (x.exp(), x.sin_cos(), x.atan2(0.7), y.ln(), y.sin(), y.powf(1.7), y.hypot(3.0));
+            let ours = (
+                libm::expf(x),
+                libm::sincosf(x),
+                libm::atan2f(x, 0.7),
+                libm::log(y),
+                libm::sin(y),
+                libm::pow(y, 1.7),
+                libm::hypot(y, 3.0),
+            );
+            assert_eq!(std::format!("{of_std:?}"), std::format!("{ours:?}"), "x = {x}");
+        }
+    }
+}

@@ -1,0 +1,85 @@
+use uchain_sim::{
+    analyse::Summary,
+    record::{Frame, RecordError, Recorder},
+    run::run,
+};
+
+use crate::course;
+
+fn fly(name: &str, sets: &[&str]) -> Summary {
+    run(&course(name, sets), 1, &mut ()).unwrap()
+}
+
+/// Whatever the radio does, UAVs stay within the tunnel and every number is a number.
+struct Sane;
+
+impl Recorder for Sane {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        for uav in &frame.uavs {
+            assert!(uav.x_m.is_finite() && uav.y_m.is_finite() && uav.heading_rad.is_finite(), "{uav:?}");
+        }
+        for link in &frame.links {
+            assert!(link.true_db.is_finite() && link.filtered_db.is_none_or(f32::is_finite), "{link:?}");
+        }
+        Ok(())
+    }
+}
+
+#[test]
+fn from_no_loss_to_total_loss_every_run_ends_in_words() {
+    for percent in [0, 20, 40, 60, 80, 100] {
+        let set = format!("packets.drop_rate={}", f64::from(percent) / 100.0);
+        let s = run(&course("circuit", &[&set]), 1, &mut Sane).unwrap();
+        assert_eq!(s.outcome, "completed", "{percent} %");
+        if percent <= 40 {
+            assert!(s.uavs >= 3 && s.connected_fraction == 1.0, "{percent} %: {s:?}");
+        }
+    }
+    // Nobody hears anybody: the head takes off, stays, and nobody follows.
+    let s = fly("circuit", &["packets.drop_rate=1"]);
+    assert!(s.uavs == 1 && s.head_reach_m < 0.8, "{s:?}");
+    assert_eq!(s.links[0].filtered_db, None);
+}
+
+#[test]
+fn bursts_of_two_seconds_delay_the_chain_but_do_not_break_it() {
+    let sets = ["faults.burst_rate=0.02", "faults.burst_packets=10"];
+    let s = run(&course("circuit", &sets), 1, &mut Sane).unwrap();
+    assert_eq!((s.outcome.as_str(), s.connected_fraction), ("completed", 1.0));
+    assert_ne!(s.digest, fly("circuit", &[]).digest, "the bursts must be felt");
+}
+
+#[test]
+fn a_head_that_hears_nothing_is_pulled_back_while_its_neighbours_still_hear_it() {
+    let deaf = "faults.deaf=[{ uav = 0, side = \"back\", start_s = 30.0, stop_s = 40.0 }]";
+    let s = run(&course("circuit", &[deaf]), 1, &mut Sane).unwrap();
+    assert!(s.head_reach_m < fly("circuit", &[]).head_reach_m - 1.0, "{s:?}");
+    assert_eq!(s.outcome, "completed");
+}
+
+#[test]
+fn a_dead_relay_is_named_and_the_chain_closes_over_it() {
+    let s = run(&course("circuit", &["faults.dead=[{ uav = 1, start_s = 80.0 }]"]), 1, &mut Sane).unwrap();
+    assert!(s.outcome.starts_with("completed; UAV 1 failed at 80."), "{}", s.outcome);
+    assert_eq!(s.links.iter().map(|link| link.uav).collect::<Vec<_>>(), [0, 2, 3]);
+    assert_eq!(s.launches_s.len(), 4, "the spare takes off: {s:?}");
+    assert!(s.connected_fraction > 0.95, "{s:?}");
+}
+
+#[test]
+fn a_uav_may_die_at_any_time() {
+    for uav in 0..4 {
+        for start_s in [0.0, 0.05, 1.0, 19.0, 45.0, 119.9] {
+            let set = format!("faults.dead=[{{ uav = {uav}, start_s = {start_s:?} }}]");
+            let s = run(&course("circuit", &[&set]), 1, &mut Sane).unwrap();
+            assert!(s.outcome.starts_with("completed"), "{set}: {}", s.outcome);
+            assert!(s.uavs <= 3, "{set}: {s:?}");
+        }
+    }
+}
+
+#[test]
+fn packets_a_decision_late_do_not_upset_the_chain() {
+    let s = run(&course("circuit", &["packets.delay_ticks=4"]), 1, &mut Sane).unwrap();
+    assert!(s.spread_db.unwrap() < 4.0 && s.connected_fraction == 1.0, "{s:?}");
+}
