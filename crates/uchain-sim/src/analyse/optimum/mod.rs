@@ -84,21 +84,19 @@ fn optimum_from(
     head_m: f64,
     links: usize,
 ) -> Optimum {
-    let links = links.clamp(1, MOST_LINKS);
+    let asked = links.clamp(1, MOST_LINKS);
+    // Beyond what the chart knows no relay helps; the rest stay at the base.
+    let links = asked.min(chart.links_max() + 1);
+    let whole = |depths_m: Vec<f64>| Optimum::of(loss_db, [vec![0.0; asked - links], depths_m].concat());
     let refined = starts(&chart.by_last_relay(to_head_db, links)).into_iter().map(|last_relay| {
         let mut depths_m = chart.chain(last_relay, head_m, links);
         refine::refine(loss_db, &mut depths_m, chart.step_m(), RESOLUTION_M);
-        Optimum::of(loss_db, depths_m)
+        whole(depths_m)
     });
     let refined = refined.min_by(|a, b| a.bottleneck_db.total_cmp(&b.bottleneck_db));
-    let refined = refined.unwrap_or_else(|| Optimum::of(loss_db, vec![0.0, head_m]));
-    match level::level(loss_db, head_m, links, refined.bottleneck_db + EQUAL_DB) {
-        Some(equal) => {
-            let equal = Optimum::of(loss_db, equal);
-            if equal.bottleneck_db <= refined.bottleneck_db + EQUAL_DB { equal } else { refined }
-        }
-        None => refined,
-    }
+    let refined = refined.unwrap_or_else(|| whole(chart.chain(0, head_m, links)));
+    let equal = level::level(loss_db, head_m, links, refined.bottleneck_db + EQUAL_DB).map(whole);
+    equal.filter(|equal| equal.bottleneck_db <= refined.bottleneck_db + EQUAL_DB).unwrap_or(refined)
 }
 
 /// The dips of a curve, deepest first, as far as refining them may pay.

@@ -178,6 +178,16 @@ fn in_a_u_the_best_chain_leaps_across_and_bisection_on_the_level_does_not_find_i
 }
 
 #[test]
+fn a_thousand_relays_in_a_short_tunnel_do_no_harm() {
+    // From 0.25 m on, Eq. 22 as it is: 35 dB and no less.
+    let clamped = |a_m: f64, b_m: f64| 35.0 + 20.0 * libm::log10((b_m - a_m).max(0.25) / 0.25);
+    let chart = Chart::new(clamped, 3.0, 0.05, MOST_LINKS);
+    let found = optimum(&clamped, &chart, 3.0, 1000);
+    assert_eq!((found.link_loss_db.len(), found.depths_m.len()), (1000, 1001));
+    assert!(chart.links_max() < 20 && found.bottleneck_db < 35.001, "{}", found.bottleneck_db);
+}
+
+#[test]
 fn enough_links_are_no_more_than_needed() {
     let chart = chart(straight, 20.0);
     // 60 dB reach 0.25 · (10^1.25 − 1) m.

@@ -75,3 +75,21 @@ fn clearance_is_the_distance_to_the_nearest_wall_on_either_side() {
         assert!((map.clearance_m(vec2(x, y)) - clearance_m).abs() < 1e-6, "({x}, {y})");
     }
 }
+
+#[test]
+fn stretches_of_rock_are_counted_one_by_one_and_touching_a_corner_is_none() {
+    let map = room_with_a_pillar();
+    for (a, b, stretches) in [
+        ((1.0, 1.0), (9.0, 1.0), 0),
+        ((1.0, 3.0), (9.0, 3.0), 1),
+        // Out of the room on the left, through the pillar, out on the right.
+        ((-1.0, 3.0), (11.0, 3.0), 3),
+        // Along the pillar's lower wall, and past one of its corners.
+        ((4.0, 2.0), (6.0, 2.0), 0),
+        ((3.0, 3.0), (5.0, 1.0), 0),
+        ((f32::NAN, 3.0), (9.0, 3.0), 1),
+    ] {
+        let (a, b) = (vec2(a.0, a.1), vec2(b.0, b.1));
+        assert_eq!((map.rock_stretches(a, b), map.rock_stretches(b, a)), (stretches, stretches), "{a} {b}");
+    }
+}
