@@ -33,6 +33,25 @@ fn straight_corner_and_bend_come_within_3_db_of_the_optimum_with_at_most_one_rel
 }
 
 #[test]
+fn the_circuit_takes_at_most_one_relay_more_than_it_needs() {
+    for s in thirty("circuit") {
+        let needed = s.relays_needed.expect("a number that is enough");
+        assert!(s.relays_used <= needed + 1, "seed {}: {s:?}", s.seed);
+        assert_eq!((s.wall_contacts, s.uav_contacts), (0, 0), "seed {}", s.seed);
+    }
+}
+
+#[test]
+fn on_the_staircase_no_link_ever_comes_near_its_limit() {
+    let course = course("staircase", &[]);
+    for seed in 1..=10 {
+        let s = run(&course, seed, &mut ()).unwrap();
+        assert!(s.worst_link_db.unwrap() < 90.0 && s.connected_fraction == 1.0, "seed {seed}: {s:?}");
+        assert_eq!((s.wall_contacts, s.uav_contacts), (0, 0), "seed {seed}");
+    }
+}
+
+#[test]
 fn without_centering_the_corner_ends_in_the_wall() {
     let blind = course("corner", &["center.c_t_per_s=0", "center.c_r_rad_per_s_m=0"]);
     assert!(run(&blind, 1, &mut ()).unwrap().wall_contacts > 0);

@@ -35,6 +35,7 @@ pub struct Metrics<'a> {
     uav_contacts: u32,
     decisions: u64,
     connected: u64,
+    worst_link_db: Option<f32>,
     head_reach_m: f32,
 }
 
@@ -57,6 +58,7 @@ impl<'a> Metrics<'a> {
             uav_contacts: 0,
             decisions: 0,
             connected: 0,
+            worst_link_db: None,
             head_reach_m: 0.0,
         }
     }
@@ -88,6 +90,7 @@ impl<'a> Metrics<'a> {
             bottleneck_gap_db: self.bottleneck_gap_db(),
             links,
             spread_db: median(last.iter().filter_map(|links| spread_db(links))),
+            worst_link_db: self.worst_link_db,
             converged_s: self.converged_s,
             wall_contacts: self.wall_contacts,
             uav_contacts: self.uav_contacts,
@@ -133,6 +136,8 @@ impl<'a> Metrics<'a> {
 
     fn decision(&mut self, frame: &Frame) {
         self.decisions += 1;
+        let true_db = frame.links.iter().map(|link| link.true_db);
+        self.worst_link_db = self.worst_link_db.into_iter().chain(true_db).max_by(f32::total_cmp);
         self.connected += u64::from(frame.links.iter().all(|link| link.true_db < self.limit_db));
         self.head_reach_m = self.head_reach_m.max(frame.head_reach_m);
         // In the tick of a launch the links are still those without the new UAV.

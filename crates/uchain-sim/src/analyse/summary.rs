@@ -41,6 +41,8 @@ pub struct Summary {
     pub links: Vec<LinkSummary>,
     /// Largest minus smallest true loss, median over the last 10 s (dB); `None` without two links.
     pub spread_db: Option<f32>,
+    /// Largest true loss of any link at any decision (dB); `None` if there never was a link.
+    pub worst_link_db: Option<f32>,
     /// First time the true losses lie within 7 dB of each other, searched from a tenth of the run or
     /// the last launch, whichever is later (s); `None` if never.
     pub converged_s: Option<f64>,

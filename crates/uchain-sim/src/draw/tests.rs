@@ -53,6 +53,7 @@ fn flight(course: &Course, seconds: u64) -> (History, Summary) {
         bottleneck_gap_db: None,
         links: vec![LinkSummary { uav: 0, true_db: 50.0, filtered_db: None }; flown],
         spread_db: Some(2.3),
+        worst_link_db: None,
         converged_s: None,
         wall_contacts: 0,
         uav_contacts: 0,

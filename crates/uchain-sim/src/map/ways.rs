@@ -121,7 +121,7 @@ mod tests {
             };
             match (geodesic.distance_m(&map, b), ways.distance_m(&map, a, b)) {
                 (Some(expected), Some(got)) => {
-                    assert!((expected - got).abs() < 1e-4, "{a} {b}: {expected} {got}")
+                    assert!((expected - got).abs() < 1e-4, "{a} {b}: {expected} {got}");
                 }
                 (expected, got) => assert_eq!(expected, got),
             }
