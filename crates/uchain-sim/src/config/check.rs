@@ -16,6 +16,9 @@ pub(super) const UAVS_MAX: usize = 1000;
 /// Most steps a pilot may take.
 const PILOT_MAX: usize = 10_000;
 
+/// Most entries of each list of planned faults.
+const FAULTS_MAX: usize = 10_000;
+
 /// Farthest coordinate (m); `f32` keeps a centimetre there.
 const COORDINATE_MAX_M: f64 = 100_000.0;
 
@@ -29,6 +32,7 @@ pub(super) fn values(scenario: &Scenario, document: &Document<'_>) -> Result<(),
     check.chain(scenario)?;
     check.pilot(scenario)?;
     check.params(scenario)?;
+    check.faults(scenario)?;
     check.ticks("equalize.decision_s", f64::from(scenario.equalize.decision_s))?;
     check.ticks("tof.period_s", f64::from(scenario.tof.period_s))
 }
@@ -156,5 +160,38 @@ impl Check<'_> {
             }
         }
         Ok(())
+    }
+
+    fn faults(&self, scenario: &Scenario) -> Result<(), ConfigError> {
+        let faults = &scenario.faults;
+        self.range("faults.burst_rate", f64::from(faults.burst_rate), 0.0, 1.0)?;
+        self.range("faults.burst_packets", f64::from(faults.burst_packets), 1.0, 100_000.0)?;
+        for (key, count) in [("faults.deaf", faults.deaf.len()), ("faults.dead", faults.dead.len())] {
+            if count > FAULTS_MAX {
+                let expected = format!("must be at most {FAULTS_MAX} entries");
+                return Err(self.invalid(key, &format!("{count} entries"), expected));
+            }
+        }
+        let uavs = scenario.chain.uavs;
+        for (i, deaf) in faults.deaf.iter().enumerate() {
+            let start_s = self.fault(&format!("faults.deaf.{i}"), deaf.uav, uavs, deaf.start_s)?;
+            if !deaf.stop_s.is_finite() || deaf.stop_s <= start_s {
+                let expected = format!("must be later than start_s = {start_s}; without it, to the end");
+                return Err(self.invalid(&format!("faults.deaf.{i}.stop_s"), &deaf.stop_s, expected));
+            }
+        }
+        faults.dead.iter().enumerate().try_for_each(|(i, dead)| {
+            self.fault(&format!("faults.dead.{i}"), dead.uav, uavs, dead.start_s).map(drop)
+        })
+    }
+
+    /// Whom and from when on; returns the latter.
+    fn fault(&self, entry: &str, uav: usize, uavs: usize, start_s: f64) -> Result<f64, ConfigError> {
+        if uav >= uavs {
+            let expected = format!("must be a UAV of the chain: 0, the head, to {}", uavs.saturating_sub(1));
+            return Err(self.invalid(&format!("{entry}.uav"), &uav, expected));
+        }
+        self.range(&format!("{entry}.start_s"), start_s, 0.0, DURATION_MAX_S)?;
+        Ok(start_s)
     }
 }

@@ -20,6 +20,13 @@ pub enum Origin {
         /// The file, or `<builtin corner>`.
         label: String,
     },
+    /// A line of a compiled-in preset.
+    Preset {
+        /// The preset's name.
+        name: &'static str,
+        /// Line, from 1.
+        line: usize,
+    },
     /// An assignment on the command line.
     Set {
         /// `key=value` as given.
@@ -32,6 +39,7 @@ impl fmt::Display for Origin {
         match self {
             Self::Line { label, line } => write!(f, "{label}:{line}"),
             Self::Whole { label } => f.write_str(label),
+            Self::Preset { name, line } => write!(f, "<preset {name}>:{line}"),
             Self::Set { assignment } => write!(f, "--set {assignment}"),
         }
     }
@@ -44,6 +52,14 @@ pub enum ConfigError {
     /// No compiled-in scenario of this name.
     #[error("unknown scenario '{name}'{choices}; a path to a file works as well, such as ./{name}.toml")]
     UnknownScenario {
+        /// The name asked for.
+        name: String,
+        /// What could stand there.
+        choices: Box<Choices>,
+    },
+    /// No compiled-in preset of this name.
+    #[error("unknown preset '{name}'{choices}")]
+    UnknownPreset {
         /// The name asked for.
         name: String,
         /// What could stand there.
@@ -145,6 +161,10 @@ impl ConfigError {
     pub(super) fn unknown_scenario(name: &str) -> Self {
         let known: Vec<String> = builtin_names().iter().map(|&n| n.to_owned()).collect();
         Self::UnknownScenario { name: shorten(name), choices: Box::new(Choices::for_word(name, known)) }
+    }
+
+    pub(super) fn unknown_preset(name: &str, choices: Choices) -> Self {
+        Self::UnknownPreset { name: shorten(name), choices: Box::new(choices) }
     }
 }
 

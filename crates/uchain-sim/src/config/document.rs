@@ -1,4 +1,5 @@
-//! A scenario's text as a table that remembers where each value was written, `--set` included.
+//! A scenario's text as a table that remembers where each value was written: in the text, by `--set`, or in
+//! a preset.
 
 use std::ops::Range;
 
@@ -8,15 +9,16 @@ use toml::{
 };
 
 use super::{
-    ConfigError, Source,
+    ConfigError, Preset, Source,
     diagnose::{Origin, shorten},
 };
 
 /// The parsed text. A value that came by `--set` number `i` has a span of its own behind the text,
-/// which starts at `text.len() + 1 + i`.
+/// which starts at `text.len() + 1 + i`; behind those lie the spans of the preset's text.
 pub(super) struct Document<'i> {
     source: &'i Source,
     sets: &'i [String],
+    preset: Option<Preset>,
     root: Spanned<DeValue<'i>>,
 }
 
@@ -37,11 +39,48 @@ impl<'i> Document<'i> {
         })?;
         let span = table.span();
         let root = Spanned::new(span, DeValue::Table(table.into_inner()));
-        let mut document = Self { source, sets, root };
+        let mut document = Self { source, sets, preset: None, root };
         for (index, assignment) in sets.iter().enumerate() {
             document.set(index, assignment)?;
         }
+        document.choose_preset()?;
         Ok(document)
+    }
+
+    /// Fills in what the preset has to say, if one is named and known.
+    fn choose_preset(&mut self) -> Result<(), ConfigError> {
+        let (Some(value), true) = self.follow("preset") else { return Ok(()) };
+        // What is no text at all, the deserializer explains.
+        let DeValue::String(name) = value.get_ref() else { return Ok(()) };
+        let preset = Preset::named(name).map_err(|choices| ConfigError::UnknownChoice {
+            at: self.place(&value.span()),
+            key: "preset".to_owned(),
+            got: shorten(name),
+            choices: Box::new(choices),
+        })?;
+        self.fill_in(preset)
+    }
+
+    /// Writes every value of a preset that is not written yet.
+    pub(super) fn fill_in(&mut self, preset: Preset) -> Result<(), ConfigError> {
+        let table = DeTable::parse(preset.text).map_err(|error| ConfigError::Syntax {
+            at: Origin::Preset {
+                name: preset.name,
+                line: line(preset.text, error.span().unwrap_or_default().start),
+            },
+            message: shorten_message(error.message()),
+        })?;
+        let start = self.preset_start();
+        let mut values = Spanned::new(table.span(), DeValue::Table(table.into_inner()));
+        map_spans(&mut values, &|span| span.start + start..span.end + start);
+        fill_in(&mut self.root, values);
+        self.preset = Some(preset);
+        Ok(())
+    }
+
+    /// Where the spans of the preset's text begin.
+    fn preset_start(&self) -> usize {
+        self.source.text.len() + 1 + self.sets.len()
     }
 
     /// Writes one `key=value` over what the text says.
@@ -60,7 +99,7 @@ impl<'i> Document<'i> {
         let start = self.source.text.len() + 1 + index;
         let mut value = DeValue::parse(text.trim())
             .unwrap_or_else(|_| Spanned::new(0..0, DeValue::String(text.trim().into())));
-        move_span(&mut value, &(start..start + 1));
+        map_spans(&mut value, &|_| start..start + 1);
 
         let mut here = &mut self.root;
         for (depth, &step) in steps.iter().enumerate() {
@@ -96,9 +135,13 @@ impl<'i> Document<'i> {
 
     /// Where a span stands.
     pub(super) fn place(&self, span: &Range<usize>) -> Origin {
-        match self.set_at(span) {
-            Some(assignment) => Origin::Set { assignment: shorten(assignment) },
-            None => line_of(self.source, span.start),
+        let in_preset = span.start.checked_sub(self.preset_start());
+        match (self.set_at(span), self.preset, in_preset) {
+            (Some(assignment), ..) => Origin::Set { assignment: shorten(assignment) },
+            (None, Some(Preset { name, text }), Some(byte)) => {
+                Origin::Preset { name, line: line(text, byte) }
+            }
+            _ => line_of(self.source, span.start),
         }
     }
 
@@ -199,21 +242,34 @@ fn search<'a>(value: &'a Spanned<DeValue<'_>>, span: &Range<usize>, steps: &mut 
     false
 }
 
-/// Gives a value and all it holds one span. The parser bounds the depth (80).
-fn move_span(value: &mut Spanned<DeValue<'_>>, span: &Range<usize>) {
+/// Gives a value and all it holds other spans. The parser bounds the depth (80).
+fn map_spans(value: &mut Spanned<DeValue<'_>>, to: &impl Fn(Range<usize>) -> Range<usize>) {
+    let span = to(value.span());
     let mut inner = std::mem::replace(value.get_mut(), DeValue::Boolean(false));
     match &mut inner {
         DeValue::Table(table) => {
             let entries = std::mem::take(table);
             for (key, mut held) in entries {
-                move_span(&mut held, span);
-                table.insert(Spanned::new(span.clone(), key.into_inner()), held);
+                map_spans(&mut held, to);
+                table.insert(Spanned::new(to(key.span()), key.into_inner()), held);
             }
         }
-        DeValue::Array(items) => items.iter_mut().for_each(|held| move_span(held, span)),
+        DeValue::Array(items) => items.iter_mut().for_each(|held| map_spans(held, to)),
         _ => {}
     }
-    *value = Spanned::new(span.clone(), inner);
+    *value = Spanned::new(span, inner);
+}
+
+/// Writes into a table what it does not hold, and so on into the tables within. What is no table stays.
+fn fill_in<'i>(written: &mut Spanned<DeValue<'i>>, more: Spanned<DeValue<'i>>) {
+    let DeValue::Table(more) = more.into_inner() else { return };
+    let DeValue::Table(table) = written.get_mut() else { return };
+    for (key, value) in more {
+        match table.get_mut(&**key.get_ref()) {
+            Some(held) => fill_in(held, value),
+            None => _ = table.insert(key, value),
+        }
+    }
 }
 
 fn whole(source: &Source) -> Origin {
@@ -221,9 +277,13 @@ fn whole(source: &Source) -> Origin {
 }
 
 fn line_of(source: &Source, byte: usize) -> Origin {
-    let before = source.text.as_bytes().get(..byte).unwrap_or(source.text.as_bytes());
-    let line = before.split(|&b| b == b'\n').count();
-    Origin::Line { label: source.label.clone(), line }
+    Origin::Line { label: source.label.clone(), line: line(&source.text, byte) }
+}
+
+/// The line a byte stands in, from 1.
+fn line(text: &str, byte: usize) -> usize {
+    let before = text.as_bytes().get(..byte).unwrap_or(text.as_bytes());
+    before.split(|&b| b == b'\n').count()
 }
 
 /// A parser's message, on one line.

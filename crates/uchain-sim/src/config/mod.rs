@@ -13,4 +13,4 @@ mod tests;
 pub use course::{Course, Spawn};
 pub use diagnose::{Choices, ConfigError, Origin};
 pub use scenario::{ChainConfig, CorridorConfig, MapConfig, PilotStep, RosConfig, Scenario};
-pub use source::{Source, TEXT_MAX_BYTES, builtin, builtin_names};
+pub use source::{PRESETS, Preset, Source, TEXT_MAX_BYTES, builtin, builtin_names};

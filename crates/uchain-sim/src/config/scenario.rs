@@ -18,6 +18,9 @@ pub struct Scenario {
     /// One line that says what happens.
     #[serde(default)]
     pub description: String,
+    /// Name of the [`Preset`](super::Preset) that filled in what is not written here.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub preset: Option<String>,
     /// Simulated time (s), a multiple of the tick.
     pub duration_s: f64,
     /// The tunnel.

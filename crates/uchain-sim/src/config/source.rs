@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::ConfigError;
+use super::{ConfigError, diagnose::Choices};
 
 /// Longest scenario file (bytes).
 pub const TEXT_MAX_BYTES: u64 = 1 << 20;
@@ -30,6 +30,53 @@ const NAMES: [&str; BUILTIN.len()] = {
     }
     names
 };
+
+/// Values that belong together, by one name: they fill in what a scenario does not write, and win over the
+/// defaults.
+///
+/// ```
+/// use uchain_sim::config::{Preset, Scenario, builtin};
+/// let sets = ["preset=cavemod".to_owned(), "link.lost_s=2".to_owned()];
+/// let scenario = Scenario::parse(&builtin("corner").unwrap(), &sets).unwrap();
+/// assert_eq!(scenario.equalize.decision_s, 0.1); // from the preset
+/// assert_eq!(scenario.link.lost_s, 2.0); // written by hand
+/// assert!(Preset::find("frontiers2021").is_ok());
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Preset {
+    /// What a scenario calls it by.
+    pub name: &'static str,
+    /// Tables of a scenario, in TOML; the first line is a comment that says whose values they are.
+    pub text: &'static str,
+}
+
+/// The compiled-in presets; the one list of them.
+pub const PRESETS: [Preset; 2] = [
+    Preset { name: "cavemod", text: include_str!("../../presets/cavemod.toml") },
+    Preset { name: "frontiers2021", text: include_str!("../../presets/frontiers2021.toml") },
+];
+
+impl Preset {
+    /// The preset of this name.
+    ///
+    /// # Errors
+    /// [`ConfigError::UnknownPreset`] with the nearest name.
+    pub fn find(name: &str) -> Result<Self, ConfigError> {
+        Self::named(name).map_err(|choices| ConfigError::unknown_preset(name, choices))
+    }
+
+    /// The preset of this name, else the names there are.
+    pub(super) fn named(name: &str) -> Result<Self, Choices> {
+        let known = || PRESETS.iter().map(|preset| preset.name.to_owned()).collect();
+        let found = PRESETS.iter().find(|preset| preset.name == name).copied();
+        found.ok_or_else(|| Choices::for_word(name, known()))
+    }
+
+    /// Whose values they are, in one line.
+    pub fn description(&self) -> &'static str {
+        self.text.lines().next().unwrap_or_default().trim_start_matches("# ")
+    }
+}
 
 /// A scenario's text and where it stands.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,31 +1,4 @@
-use std::path::PathBuf;
-
-use proptest::prelude::*;
-
-use super::{ConfigError, Course, Scenario, Source, builtin, builtin_names};
-
-const PLAIN: &str = r#"name = "plain"
-duration_s = 10.0
-
-[map.corridor]
-centre_line_m = [[-0.6, 0.0], [8.0, 0.0]]
-width_m = 0.8
-
-[chain]
-uavs = 3
-base_m = [0.0, 0.0]
-
-[equalize]
-k_db_per_m = 20.0
-
-[[pilot]]
-start_s = 0.0
-speed_mps = 0.2
-"#;
-
-fn source(text: &str) -> Source {
-    Source { label: "plain.toml".to_owned(), text: text.to_owned(), folder: PathBuf::new() }
-}
+use super::{Course, PLAIN, source};
 
 fn message(text: &str, sets: &[&str]) -> String {
     let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
@@ -33,29 +6,6 @@ fn message(text: &str, sets: &[&str]) -> String {
         Ok(_) => "ok".to_owned(),
         Err(error) => error.to_string(),
     }
-}
-
-#[test]
-fn every_builtin_scenario_is_named_as_its_file_and_passes_its_checks() {
-    for &name in builtin_names() {
-        let scenario = Scenario::parse(&builtin(name).unwrap(), &[]).unwrap();
-        assert_eq!(scenario.name, name);
-        assert!(!scenario.description.is_empty(), "{name}");
-    }
-}
-
-#[test]
-fn depth_counts_from_the_base_to_the_goal() {
-    let course = |sets: &[&str]| {
-        let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
-        Course::read(&source(PLAIN), &sets).unwrap()
-    };
-    let at = glam::vec2(3.0, 0.1);
-    let tunnel = |course: &Course| (course.tunnel.as_ref().unwrap().length_m(), course.depth_m(at));
-    assert_eq!(tunnel(&course(&[])), (8.0, Some(3.0)));
-    assert_eq!(tunnel(&course(&["chain.goal_m=[6, 0.2]"])), (6.0, Some(3.0)));
-    let (length_m, depth_m) = tunnel(&course(&["chain.base_m=[7, 0]", "chain.heading_deg=180"]));
-    assert!((length_m - 7.6).abs() < 1e-6 && depth_m == Some(4.0), "{length_m} {depth_m:?}");
 }
 
 /// (old text, new text, what the message must hold).
@@ -164,6 +114,52 @@ const BAD_LINES: &[(&str, &str, &str)] = &[
         "plain.toml:5: map.corridor.centre_line_m.1 = 1 numbers: must be [x, y] or [x, y, r]",
     ),
     ("[-0.6, 0.0], ", "", "plain.toml:4: map.corridor: "),
+    (
+        "[equalize]",
+        "[faults]\nburst_rate = 1.5\n[equalize]",
+        "plain.toml:13: faults.burst_rate = 1.5: must lie in 0..=1",
+    ),
+    (
+        "[equalize]",
+        "[faults]\nburst_packets = 0\n[equalize]",
+        "faults.burst_packets = 0: must lie in 1..=100000",
+    ),
+    (
+        "[equalize]",
+        "[[faults.dead]]\nuav = 3\nstart_s = 1\n[equalize]",
+        "plain.toml:13: faults.dead.0.uav = 3: must be a UAV of the chain: 0, the head, to 2",
+    ),
+    (
+        "[equalize]",
+        "[[faults.dead]]\nuav = 2\nstart_s = -1\n[equalize]",
+        "plain.toml:14: faults.dead.0.start_s = -1: must lie in 0..=86400",
+    ),
+    (
+        "[equalize]",
+        "[[faults.deaf]]\nuav = 2\nside = \"fronk\"\n[equalize]",
+        "plain.toml:14: faults.deaf.0.side = \"fronk\": unknown choice; did you mean 'front'?",
+    ),
+    (
+        "[equalize]",
+        "[[faults.deaf]]\nuav = 2\nside = \"front\"\nstart_s = 5\nstop_s = 5\n[equalize]",
+        "plain.toml:16: faults.deaf.0.stop_s = 5: must be later than start_s = 5; without it, to the end",
+    ),
+    (
+        "[equalize]",
+        "[[faults.deaf]]\nuav = 2\nside = \"front\"\nstop_s = inf\n[equalize]",
+        "plain.toml:15: faults.deaf.0.stop_s = inf: must be later than start_s = 0",
+    ),
+    (
+        "[equalize]",
+        "[packets]\ndelay_ticks = 1001\n[equalize]",
+        "plain.toml:13: packets.delay_ticks = 1001: must lie in 0..=1000",
+    ),
+    (
+        "name = \"plain\"",
+        "name = \"plain\"\npreset = \"cave-mod\"",
+        "plain.toml:2: preset = \"cave-mod\": unknown choice; did you mean 'cavemod'? (known: cavemod, frontiers2021)",
+    ),
+    ("name = \"plain\"", "name = \"plain\"\npreset = 5", "plain.toml:2: preset = 5: expected a string"),
     ("name = \"plain\"", "name = \"../up\"", "plain.toml:1: name = \"../up\": must be 1 to 64 of"),
     ("width_m = 0.8", "width_m = 0.8.1", "plain.toml:6: not valid TOML: "),
     ("width_m = 0.8", "width_m = 0.8\nwidth_m = 0.9", "plain.toml:7: not valid TOML: duplicate key"),
@@ -202,92 +198,5 @@ fn a_bad_set_is_named_instead_of_a_line() {
     for (set, wanted) in table {
         let got = message(PLAIN, &[set]);
         assert!(got.contains(wanted), "{set}\n  got    {got}\n  wanted {wanted}");
-    }
-}
-
-#[test]
-fn a_set_writes_over_the_file_and_the_last_one_wins() {
-    let sets =
-        ["equalize.k_db_per_m=30", "pilot.0.follow=left", "link.lost_s=2", "link.lost_s=3", "name=other"];
-    let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
-    let scenario = Scenario::parse(&source(PLAIN), &sets).unwrap();
-    assert_eq!(scenario.equalize.k_db_per_m, 30.0);
-    assert_eq!(scenario.pilot[0].follow, uchain_core::chain::Follow::Left);
-    assert_eq!(scenario.link.lost_s, 3.0);
-    assert_eq!(scenario.name, "other");
-}
-
-#[test]
-fn a_missing_map_names_the_file_looked_for_from_the_scenarios_folder() {
-    let text = PLAIN
-        .replace("[map.corridor]", "[map.ros]\nfile = \"maps/none.yaml\"")
-        .replace("width_m = 0.8\n", "");
-    let text = text.replace("centre_line_m = [[-0.6, 0.0], [8.0, 0.0]]\n", "");
-    let source = Source { folder: PathBuf::from("some-folder"), ..source(&text) };
-    let error = Course::read(&source, &[]).unwrap_err();
-    assert!(matches!(error, ConfigError::Map { .. }), "{error}");
-    assert!(error.to_string().contains("plain.toml:5: map.ros.file"), "{error}");
-    assert!(error.to_string().contains("some-folder/maps/none.yaml"), "{error}");
-}
-
-#[test]
-fn the_row_waits_head_farthest_and_the_last_uav_at_the_base() {
-    let course = Course::read(&source(PLAIN), &["chain.spacing_m=0.3".to_owned()]).unwrap();
-    let along_m: Vec<f32> = course.spawns.iter().map(|spawn| spawn.at.x).collect();
-    assert_eq!(along_m, [0.6, 0.3, 0.0]);
-}
-
-#[test]
-fn a_scenario_changed_in_code_is_checked_when_it_is_laid_out() {
-    let source = source(PLAIN);
-    let mut scenario = Scenario::parse(&source, &[]).unwrap();
-    scenario.tof.period_s = 0.07;
-    let error = Course::lay(scenario, &source).unwrap_err();
-    assert!(error.to_string().contains("tof.period_s = 0.07"), "{error}");
-}
-
-#[test]
-fn what_is_not_a_scenario_file_is_refused() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("big.toml");
-    std::fs::write(&path, vec![b'#'; (1 << 20) + 1]).unwrap();
-    assert!(matches!(Source::read(&path), Err(ConfigError::TooLong { .. })));
-    std::fs::write(&path, [b'a', 0xff]).unwrap();
-    assert!(matches!(Source::read(&path), Err(ConfigError::NotText { byte: 1, .. })));
-    assert!(matches!(Source::read(folder.path()), Err(ConfigError::Read { .. })));
-    assert!(Source::find("cornr").unwrap_err().to_string().contains("did you mean 'corner'?"));
-}
-
-fn shared(_: &Course)
-where
-    Course: Send + Sync,
-{
-}
-
-#[test]
-fn a_course_is_shared_by_many_runs() {
-    shared(&Course::read(&source(PLAIN), &[]).unwrap());
-}
-
-proptest! {
-    #[test]
-    fn no_text_makes_the_reader_panic(text in "\\PC{0,200}", set in "\\PC{0,20}=\\PC{0,20}") {
-        let _ = Course::read(&source(&text), &[]);
-        let _ = Scenario::parse(&source(PLAIN), &[set]);
-    }
-
-    #[test]
-    fn no_change_of_a_few_bytes_makes_the_reader_panic(
-        at in proptest::collection::vec((0usize..400, any::<u8>()), 1..4),
-    ) {
-        let mut bytes = PLAIN.as_bytes().to_vec();
-        for (index, byte) in at {
-            if let Some(place) = bytes.get_mut(index) {
-                *place = byte;
-            }
-        }
-        let text = String::from_utf8_lossy(&bytes);
-        // A corridor of a kilometre is legal; the tunnel is not built here.
-        let _ = Scenario::parse(&source(&text), &[]);
     }
 }
