@@ -3,17 +3,25 @@
 mod colour;
 mod losses;
 mod panel;
+mod plan;
 mod tunnel;
 
 use kuva::{RasterBackend, render::render::Scene};
 
-use crate::{analyse::Summary, config::Course, record::History};
+use crate::{
+    analyse::{Plan, Summary},
+    config::Course,
+    record::History,
+};
 use losses::Losses;
-use panel::{FIGURE_WIDTH, Panel, TEXT_LARGE};
+use panel::{FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE};
 use tunnel::Tunnel;
 
 /// Pixels of the PNG per unit of the drawing; 1400 px across.
 const SCALE: f32 = 2.0;
+
+/// Distance between two lines of text.
+const LINE: f64 = 15.0;
 
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
@@ -41,6 +49,39 @@ pub fn run_png(course: &Course, history: &History, summary: &Summary) -> Result<
     losses.draw(&mut scene, &losses_panel);
     tunnel.draw(&mut scene, &tunnel_panel);
     RasterBackend { scale: SCALE }.render_scene(&scene).map_err(DrawError::Raster)
+}
+
+/// A plan on one page, as a PNG 1400 px wide: relays needed, loss of the worst link of the best chain, and time,
+/// each against the depth of the head. The scenario's name stands above, with the `answer` below it.
+///
+/// # Errors
+/// [`DrawError::Raster`].
+pub fn plan_png(plan: &Plan, answer: &str) -> Result<Vec<u8>, DrawError> {
+    let lines = wrapped(answer);
+    let sheet = plan::Sheet::new(plan, 34.0 + LINE * lines.len() as f64);
+    let mut scene = Scene::new(FIGURE_WIDTH, sheet.bottom() + 44.0);
+    panel::text(&mut scene, (sheet.left(), 18.0), TEXT_LARGE, &plan.scenario);
+    for (i, line) in lines.iter().enumerate() {
+        panel::text(&mut scene, (sheet.left(), 36.0 + LINE * i as f64), TEXT_LABEL, line);
+    }
+    sheet.draw(&mut scene);
+    RasterBackend { scale: SCALE }.render_scene(&scene).map_err(DrawError::Raster)
+}
+
+/// Lines of text short enough for the page.
+fn wrapped(text: &str) -> Vec<String> {
+    const LONGEST: usize = 104;
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= LONGEST => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
 }
 
 fn headline(summary: &Summary) -> String {

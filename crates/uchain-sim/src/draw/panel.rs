@@ -21,7 +21,7 @@ pub(super) const BOX_WIDTH: f64 = FIGURE_WIDTH - LEFT - RIGHT;
 /// Size of the headline.
 pub(super) const TEXT_LARGE: u32 = 13;
 /// Size of axis labels.
-const TEXT_LABEL: u32 = 11;
+pub(super) const TEXT_LABEL: u32 = 11;
 /// Size of numbers and legends.
 const TEXT_SMALL: u32 = 10;
 /// Distance between two lines of a legend.
@@ -57,6 +57,13 @@ impl Panel {
         self
     }
 
+    /// The same with numbers on the vertical axis so far apart.
+    pub(super) fn with_y_step(mut self, step: f64) -> Self {
+        self.layout = self.layout.with_y_tick_step(step);
+        self.computed = ComputedLayout::from_layout(&self.layout);
+        self
+    }
+
     pub(super) fn left(&self) -> f64 {
         self.computed.margin_left
     }
@@ -76,6 +83,11 @@ impl Panel {
     /// Where a value lies on the page.
     pub(super) fn at(&self, x: f64, y: f64) -> (f64, f64) {
         (self.computed.map_x(x), self.computed.map_y(y))
+    }
+
+    /// Whether a value lies within the axes.
+    pub(super) fn shows(&self, y: f64) -> bool {
+        (self.top()..=self.bottom()).contains(&self.computed.map_y(y))
     }
 
     /// The grid, the box, its numbers and labels.
