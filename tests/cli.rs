@@ -1,10 +1,19 @@
 //! The real binary: exit codes, files, messages.
 
+/// A Ctrl-C, a reader that went away.
+#[path = "cli/interrupt.rs"]
+mod interrupt;
+/// `uchain plan`.
+#[path = "cli/plan.rs"]
+mod plan;
+/// Presets, from the list to the flight.
+#[path = "cli/preset.rs"]
+mod preset;
+
 use std::{
     fs,
     path::{Path, PathBuf},
     process::{Command, Output, Stdio},
-    time::Duration,
 };
 
 use serde_json::Value;
@@ -180,7 +189,7 @@ fn invalid_input_exits_with_3_says_where_and_writes_nothing() {
         (&["run", "cornr"], "error: unknown scenario 'cornr'; did you mean 'corner'?"),
         (
             &["run", "zzzzzzzz"],
-            "unknown scenario 'zzzzzzzz' (known: bend, corner, stata, straight); a path to a file works as well",
+            "unknown scenario 'zzzzzzzz' (known: bend, circuit, corner, staircase, stata, straight); a path to a file works as well",
         ),
         (&["run", "absent.toml"], "error: absent.toml: cannot read the scenario: No such file"),
         (&["run", "./absent"], "error: ./absent: cannot read the scenario: No such file"),
@@ -201,6 +210,19 @@ fn invalid_input_exits_with_3_says_where_and_writes_nothing() {
         (&["run", "corner", "--set", "chain.base_m=[0, 50]"], "chain.base_m = [0, 50]: the base is in rock"),
         (&["run", "corner", "--set", "chain.spacing_m=0.05"], "two radii"),
         (&["run", "corner", "--set", "duration_s=1e9"], "duration_s = 1e9: must lie in 0.05..=86400"),
+        (
+            &["run", "corner", "--set", "preset=cavemud"],
+            "error: --set preset=cavemud: preset = \"cavemud\": unknown choice; did you mean 'cavemod'?",
+        ),
+        (
+            &["show", "--preset", "frontiers"],
+            "error: unknown preset 'frontiers'; did you mean 'frontiers2021'?",
+        ),
+        (
+            &["run", "corner", "--set", "faults.dead=[{ uav = 4, start_s = 10 }]"],
+            "faults.dead.0.uav = 4: must be a UAV of the chain: 0, the head, to 3",
+        ),
+        (&["check", "corner", "--set", "faults.burst_rate=2"], "faults.burst_rate = 2: must lie in 0..=1"),
         (
             &["run", "stata", "--set", "map.ros.file=none.yaml"],
             "--set map.ros.file=none.yaml: map.ros.file: none.yaml",
@@ -240,7 +262,7 @@ fn help_teaches_by_examples_and_lists_the_exit_codes() {
     let here = folder();
     let help = uchain(here.path(), &["--help"]);
     assert_eq!(help.status.code(), Some(0));
-    for part in ["uchain run corner", "Exit codes:", "130  interrupted"] {
+    for part in ["uchain run corner", "uchain plan corner", "Exit codes:", "130  interrupted"] {
         assert!(stdout(&help).contains(part), "{part}: {}", stdout(&help));
     }
     assert!(stdout(&uchain(here.path(), &["run", "--help"])).contains("--set takeoff.s_min_db=55"));
@@ -248,44 +270,4 @@ fn help_teaches_by_examples_and_lists_the_exit_codes() {
         stdout(&uchain(here.path(), &["--version"])),
         concat!("uchain ", env!("CARGO_PKG_VERSION"), "\n")
     );
-}
-
-/// Whether a process has a handler of its own for Ctrl-C by now.
-#[cfg(target_os = "linux")]
-fn listens_for_interrupt(pid: u32) -> bool {
-    let status = fs::read_to_string(format!("/proc/{pid}/status")).unwrap();
-    let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap();
-    u64::from_str_radix(caught.trim(), 16).unwrap() & 0b10 != 0
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn ctrl_c_ends_a_run_with_130_and_nothing_is_written() {
-    let here = folder();
-    let args = ["run", "corner", "--set", "duration_s=86400", "--out", "results"];
-    let mut child =
-        command(here.path(), &args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    while child.try_wait().unwrap().is_none() && !listens_for_interrupt(child.id()) {
-        std::thread::sleep(Duration::from_millis(5));
-    }
-    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
-    let output = child.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(130), "{}", stderr(&output));
-    assert!(stderr(&output).contains("of simulated time; nothing was written"), "{}", stderr(&output));
-    assert_eq!(files(here.path()), Vec::<PathBuf>::new());
-}
-
-#[cfg(unix)]
-#[test]
-fn a_reader_that_goes_away_is_no_error() {
-    let here = folder();
-    for args in ["list", "--help", "show corner", "run straight --set duration_s=5 --json"] {
-        let script = format!("\"$0\" {args} | true; exit \"${{PIPESTATUS[0]}}\"");
-        let shell = Command::new("bash")
-            .current_dir(here.path())
-            .args(["-c", &script, env!("CARGO_BIN_EXE_uchain")])
-            .output()
-            .unwrap();
-        assert_eq!((shell.status.code(), stderr(&shell)), (Some(0), ""), "{args}");
-    }
 }

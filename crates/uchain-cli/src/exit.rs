@@ -2,7 +2,9 @@
 
 use std::{fmt::Write as _, io, path::PathBuf, process::ExitCode};
 
-use uchain_sim::{config::ConfigError, draw::DrawError, record::RecordError, run::RunError};
+use uchain_sim::{
+    analyse::PlanError, config::ConfigError, draw::DrawError, record::RecordError, run::RunError,
+};
 
 /// Exit codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,6 +46,10 @@ pub(crate) fn table() -> String {
 pub(crate) enum Failure {
     #[error(transparent)]
     Input(#[from] ConfigError),
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    #[error("{map} is a bare map: add {missing}, in the map's own frame (m), such as --base=-50.15,34.03")]
+    BareMap { map: String, missing: &'static str },
     #[error("{} holds something else ({found}); name another folder, or add --force to write there all the same", folder.display())]
     Occupied { folder: PathBuf, found: String },
     #[error("{}: cannot write results there: {cause}", folder.display())]
@@ -65,8 +71,8 @@ pub(crate) enum Failure {
 impl Failure {
     pub(crate) fn exit(&self) -> Exit {
         match self {
-            Self::Input(_) => Exit::InputInvalid,
-            Self::Occupied { .. } | Self::Folder { .. } => Exit::Usage,
+            Self::Input(_) | Self::Plan(_) => Exit::InputInvalid,
+            Self::BareMap { .. } | Self::Occupied { .. } | Self::Folder { .. } => Exit::Usage,
             Self::Interrupted | Self::Run(RunError::Record(RecordError::Interrupted { .. })) => {
                 Exit::Interrupted
             }

@@ -11,7 +11,7 @@ use uchain_sim::{
 use crate::{
     args::Run,
     exit::Failure,
-    output::{Folder, PICTURE, SUMMARY},
+    output::{Folder, RUN},
     print,
     report::Report,
     watch::{Watch, interrupted, listen_for_interrupt},
@@ -22,7 +22,7 @@ pub(crate) fn fly(asked: &Run) -> Result<(), Failure> {
     let course = Course::read(&source, &asked.set)?;
     let folder = match &asked.out {
         Some(path) => Folder::chosen(path, asked.force)?,
-        None => Folder::ours(&course.scenario.name, asked.seed),
+        None => Folder::ours("runs", &format!("{}-s{}", course.scenario.name, asked.seed)),
     };
 
     listen_for_interrupt();
@@ -35,14 +35,14 @@ pub(crate) fn fly(asked: &Run) -> Result<(), Failure> {
     if interrupted() {
         return Err(Failure::Interrupted);
     }
-    folder.write(json.as_bytes(), &picture)?;
+    folder.write(&RUN, json.as_bytes(), &picture)?;
 
     if asked.json {
         print(&json)
     } else if asked.quiet {
         Ok(())
     } else {
-        print(&report.text(&format!("{} and {PICTURE}", folder.path().join(SUMMARY).display())))
+        print(&report.text(&folder.says(&RUN)))
     }
 }
 

@@ -6,6 +6,7 @@ mod args;
 mod exit;
 mod fly;
 mod output;
+mod plan;
 mod report;
 mod watch;
 
@@ -16,7 +17,7 @@ use std::{
     process::ExitCode,
 };
 
-use uchain_sim::config::{ConfigError, Course, Scenario, Source, builtin, builtin_names};
+use uchain_sim::config::{ConfigError, Course, PRESETS, Preset, Scenario, Source, builtin, builtin_names};
 
 use args::{Asked, Command};
 use exit::Failure;
@@ -41,13 +42,16 @@ pub fn main_with(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
 fn obey(command: Command) -> Result<(), Failure> {
     match command {
         Command::Run(asked) => fly::fly(&asked),
+        Command::Plan(asked) => plan::reckon(&asked),
         Command::List => print(&list()?),
-        Command::Show { scenario } => print(&Source::find(&scenario)?.text),
+        Command::Show { preset: Some(name), .. } => print(Preset::find(&name)?.text),
+        Command::Show { scenario, .. } => print(&Source::find(&scenario.unwrap_or_default())?.text),
         Command::Check { scenario, set } => {
             let course = Course::read(&Source::find(&scenario)?, &set)?;
             let uavs = course.spawns.len();
+            let preset = course.scenario.preset.map(|name| format!(", preset {name}")).unwrap_or_default();
             print(&format!(
-                "ok: {}: {uavs} UAV{}, {} walls, {} s\n",
+                "ok: {}{preset}: {uavs} UAV{}, {} walls, {} s\n",
                 course.scenario.name,
                 if uavs == 1 { "" } else { "s" },
                 course.map.walls().len(),
@@ -57,12 +61,19 @@ fn obey(command: Command) -> Result<(), Failure> {
     }
 }
 
-/// Name and description of every scenario that is compiled in.
+/// Name and description of every scenario and preset that is compiled in.
 fn list() -> Result<String, ConfigError> {
-    let width = builtin_names().iter().map(|name| name.len()).max().unwrap_or(0);
-    let mut lines = String::new();
+    let mut entries = Vec::new();
     for source in builtin_names().iter().filter_map(|name| builtin(name)) {
         let Scenario { name, description, .. } = Scenario::parse(&source, &[])?;
+        entries.push((name, description));
+    }
+    for preset in PRESETS {
+        entries.push((format!("preset={}", preset.name), preset.description().to_owned()));
+    }
+    let width = entries.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    let mut lines = String::new();
+    for (name, description) in entries {
         // Writing to a String cannot fail.
         let _ = writeln!(lines, "{name:width$}  {description}");
     }

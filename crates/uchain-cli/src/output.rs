@@ -10,10 +10,20 @@ use tempfile::NamedTempFile;
 
 use crate::exit::Failure;
 
-/// The summary's file name.
-pub(crate) const SUMMARY: &str = "summary.json";
-/// The picture's file name.
-pub(crate) const PICTURE: &str = "run.png";
+/// What a command leaves in its folder.
+#[derive(Debug)]
+pub(crate) struct Names {
+    /// The numbers, in JSON.
+    pub(crate) numbers: &'static str,
+    /// The picture.
+    pub(crate) picture: &'static str,
+}
+
+/// What `uchain run` leaves.
+pub(crate) const RUN: Names = Names { numbers: "summary.json", picture: "run.png" };
+/// What `uchain plan` leaves.
+pub(crate) const PLAN: Names = Names { numbers: "plan.json", picture: "plan.png" };
+
 /// How names of files start that are not finished yet.
 const UNFINISHED: &str = ".uchain-";
 
@@ -24,9 +34,9 @@ pub(crate) struct Folder {
 }
 
 impl Folder {
-    /// `runs/<scenario>-s<seed>` under the working folder; it is ours.
-    pub(crate) fn ours(scenario: &str, seed: u64) -> Self {
-        Self { path: Path::new("runs").join(format!("{scenario}-s{seed}")) }
+    /// A folder under `runs` or `plans` in the working folder; it is ours.
+    pub(crate) fn ours(above: &str, name: &str) -> Self {
+        Self { path: Path::new(above).join(name) }
     }
 
     /// A folder of the user's choice: absent, empty, or with nothing but results in it, unless forced.
@@ -41,7 +51,8 @@ impl Folder {
         for entry in entries {
             let name = entry.map_err(refuse)?.file_name();
             let name = name.to_string_lossy();
-            let is_ours = name == SUMMARY || name == PICTURE || name.starts_with(UNFINISHED);
+            let known = [RUN, PLAN].iter().any(|names| name == names.numbers || name == names.picture);
+            let is_ours = known || name.starts_with(UNFINISHED);
             if !is_ours && !force {
                 return Err(Failure::Occupied { folder: path.to_owned(), found: name.into_owned() });
             }
@@ -49,22 +60,22 @@ impl Folder {
         Ok(folder)
     }
 
-    /// The folder's path.
-    pub(crate) fn path(&self) -> &Path {
-        &self.path
+    /// Where the files are, for people.
+    pub(crate) fn says(&self, names: &Names) -> String {
+        format!("{} and {}", self.path.join(names.numbers).display(), names.picture)
     }
 
-    /// Writes the picture and the summary. Both are complete under other names before either shows
+    /// Writes the picture and the numbers. Both are complete under other names before either shows
     /// under its own.
-    pub(crate) fn write(&self, summary: &[u8], picture: &[u8]) -> Result<(), Failure> {
+    pub(crate) fn write(&self, names: &Names, numbers: &[u8], picture: &[u8]) -> Result<(), Failure> {
         let is_new = !self.path.exists();
         let written = fs::create_dir_all(&self.path)
             .map_err(|cause| Failure::Write { file: self.path.clone(), cause })
             .and_then(|()| {
-                let picture = self.prepare(PICTURE, picture)?;
-                let summary = self.prepare(SUMMARY, summary)?;
-                self.show(PICTURE, picture)?;
-                self.show(SUMMARY, summary)
+                let picture = self.prepare(names.picture, picture)?;
+                let numbers = self.prepare(names.numbers, numbers)?;
+                self.show(names.picture, picture)?;
+                self.show(names.numbers, numbers)
             });
         if written.is_err() && is_new {
             // Goes only if it is empty, and then it is ours.

@@ -1,0 +1,59 @@
+//! `uchain plan`: read, reckon, draw, write, say.
+
+mod bare;
+mod table;
+
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
+use uchain_sim::{analyse::plan, draw, map::Tunnel};
+
+use crate::{
+    args,
+    exit::Failure,
+    output::{self, Folder},
+    print,
+};
+use table::{Steps, Table};
+
+pub(crate) fn reckon(asked: &args::Plan) -> Result<(), Failure> {
+    let spinner = spinner(!(asked.quiet || asked.json));
+    let course = bare::course(asked)?;
+    let name = &course.scenario.name;
+    let folder = match &asked.out {
+        Some(path) => Folder::chosen(path, asked.force)?,
+        None => Folder::ours("plans", name),
+    };
+    let to_m = asked.to.or_else(|| course.tunnel.as_ref().map(Tunnel::length_m));
+    let steps = Steps::new(to_m.unwrap_or(1.0), asked.step);
+    let plan = plan(&course, asked.to, steps.plan_m)?;
+    let table = Table::new(&plan, &steps);
+    let picture = draw::plan_png(&plan, &table.answer())?;
+    let json = serde_json::to_string_pretty(&plan)? + "\n";
+    folder.write(&output::PLAN, json.as_bytes(), &picture)?;
+    spinner.finish_and_clear();
+
+    if asked.json {
+        print(&json)
+    } else if asked.quiet {
+        Ok(())
+    } else {
+        print(&table.text(&folder.says(&output::PLAN)))
+    }
+}
+
+/// Turns on a terminal until the answer is there; large maps take seconds.
+fn spinner(show: bool) -> ProgressBar {
+    let target = if show { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+    let spinner = ProgressBar::with_draw_target(None, target)
+        .with_message("planning")
+        .with_finish(ProgressFinish::AndClear);
+    // The template is a constant; were it wrong, the default style would do.
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
+        spinner.set_style(style);
+    }
+    if show {
+        spinner.enable_steady_tick(Duration::from_millis(100));
+    }
+    spinner
+}

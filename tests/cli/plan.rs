@@ -1,0 +1,132 @@
+use std::fs;
+
+use serde_json::Value;
+
+use crate::{files, folder, stderr, stdout, uchain};
+
+#[test]
+fn a_plan_is_a_table_an_answer_a_file_and_a_picture() {
+    let here = folder();
+    let output = uchain(here.path(), &["plan", "corner"]);
+    assert_eq!((output.status.code(), stderr(&output)), (Some(0), ""));
+    let rows = stdout(&output).lines().filter(|line| line.ends_with("  ok")).count();
+    assert!((10..=20).contains(&rows), "{}", stdout(&output));
+    // 12 m past a corner 3.5 m in: one relay near the corner, one on the way.
+    let answer = "12.5 m need 2 relays (3 UAVs); the head is there after 1.0 min; the first relay then has hovered 0.7 min;";
+    assert!(stdout(&output).contains(answer), "{}", stdout(&output));
+    assert!(stdout(&output).ends_with("files: plans/corner/plan.json and plan.png\n"), "{}", stdout(&output));
+
+    let results = here.path().join("plans/corner");
+    let names: Vec<_> = files(&results).iter().map(|path| path.file_name().unwrap().to_owned()).collect();
+    assert_eq!(names, ["plan.json", "plan.png"]);
+    let picture = image::load_from_memory(&fs::read(results.join("plan.png")).unwrap()).unwrap();
+    assert_eq!(picture.width(), 1400);
+}
+
+#[test]
+fn the_json_of_a_plan_is_its_file_and_deeper_never_needs_fewer_relays_round_a_corner() {
+    let here = folder();
+    let output =
+        uchain(here.path(), &["plan", "corner", "--json", "--out", "results", "--to", "12", "--step", "0.5"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_eq!(stdout(&output), fs::read_to_string(here.path().join("results/plan.json")).unwrap());
+    let plan: Value = serde_json::from_str(stdout(&output)).unwrap();
+    let rows = plan["rows"].as_array().unwrap();
+    assert_eq!((rows.len(), rows[23]["depth_m"].as_f64()), (24, Some(12.0)));
+    let needed: Vec<u64> = rows.iter().map(|row| row["relays_needed"].as_u64().unwrap()).collect();
+    assert!(needed.is_sorted() && needed[0] == 0 && needed[23] == 2, "{needed:?}");
+    assert!(rows.iter().all(|row| row["bottleneck_db"].as_f64().unwrap() <= 60.0), "{plan}");
+    // Results of a run may stand beside those of a plan; a stranger's file may not.
+    assert_eq!(
+        uchain(here.path(), &["plan", "corner", "--quiet", "--out", "results"]).status.code(),
+        Some(0)
+    );
+    fs::write(here.path().join("results/letter.txt"), "dear").unwrap();
+    let refused = uchain(here.path(), &["plan", "corner", "--out", "results"]);
+    assert_eq!(refused.status.code(), Some(2), "{}", stderr(&refused));
+}
+
+#[test]
+fn what_is_at_hand_changes_the_answer() {
+    let here = folder();
+    let answer = |args: &[&str]| {
+        let output = uchain(here.path(), &[&["plan", "corner", "--to", "12"], args].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        stdout(&output).lines().rev().nth(1).unwrap().to_owned()
+    };
+    assert!(answer(&[]).ends_with("a battery lasts 7.0 min: long enough."), "{}", answer(&[]));
+    let few = answer(&["--uavs", "2"]);
+    assert!(few.starts_with("12 m need 2 relays (3 UAVs), 2 at hand: too few; "), "{few}");
+    assert!(few.ends_with(" m can be done."), "{few}");
+    assert!(answer(&["--uavs", "1000"]).contains("long enough"), "nobody asks where a thousand would wait");
+    let slow = answer(&["--speed", "0.02"]);
+    assert!(slow.contains("a battery lasts 7.0 min: too long; "), "{slow}");
+    assert!(answer(&["--set", "takeoff.s_min_db=90"]).starts_with("12 m need 1 relay (2 UAVs); "));
+    let hopeless = answer(&["--set", "takeoff.s_min_db=30"]);
+    assert!(
+        hopeless.starts_with("12 m cannot be had with links of 30 dB and up to 1000 relays; not even "),
+        "{hopeless}"
+    );
+}
+
+#[test]
+fn a_bare_map_is_planned_from_its_base_to_its_goal() {
+    let here = folder();
+    let yaml = "image: hall.pgm\nresolution: 0.1\norigin: [500, -200, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n";
+    fs::write(here.path().join("old hall.yaml"), yaml).unwrap();
+    // 20 m by 1.4 m of free space within rock.
+    let cell = |x: usize, y: usize| if (5..205).contains(&x) && (5..19).contains(&y) { 254 } else { 0 };
+    let mut image = b"P5 210 24 255\n".to_vec();
+    image.extend((0..24).flat_map(|y| (0..210).map(move |x| cell(x, y))));
+    fs::write(here.path().join("hall.pgm"), image).unwrap();
+    let before = files(here.path());
+
+    let plan = |args: &[&str]| uchain(here.path(), &[&["plan", "old hall.yaml"], args].concat());
+    let missing = plan(&["--goal=515,-198.8"]);
+    assert_eq!(missing.status.code(), Some(2));
+    assert!(
+        stderr(&missing).contains("old hall.yaml is a bare map: add --base X,Y, in the map's own frame (m)"),
+        "{}",
+        stderr(&missing)
+    );
+    let rock = plan(&["--base=0,0", "--goal=515,-198.8"]);
+    assert_eq!(rock.status.code(), Some(3));
+    assert!(stderr(&rock).contains("chain.base_m = [0, 0]: the base is in rock"), "{}", stderr(&rock));
+    assert_eq!(files(here.path()), before);
+
+    let output = plan(&["--base=501.5,-198.8", "--goal=511.5,-198.8"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    // 60 dB reach 4.4 m.
+    assert!(
+        stdout(&output).contains("m need 2 relays (3 UAVs); the head is there after 0.9 min;"),
+        "{}",
+        stdout(&output)
+    );
+    assert!(here.path().join("plans/old-hall/plan.json").exists());
+}
+
+#[test]
+fn a_plan_that_cannot_be_made_says_why_and_writes_nothing() {
+    let here = folder();
+    let table: &[(&[&str], i32, &str)] = &[
+        (&["corner", "--to", "100"], 3, "the tunnel ends 12.50 m from the base"),
+        (&["corner", "--to", "12", "--step", "0.001"], 3, "more than 1000 rows"),
+        (&["corner", "--to", "0"], 2, "expected a length in metres, more than 0"),
+        (&["corner", "--speed", "-1"], 2, "expected a speed in m/s, more than 0 and at most 1"),
+        (&["corner", "--uavs", "0"], 2, "0 is not in 1..=1000"),
+        (&["corner", "--base", "1"], 2, "expected X,Y in metres"),
+        (&["cornr"], 3, "did you mean 'corner'?"),
+        (&["corner", "--goal=0.1,0"], 3, "the goal lies behind the base"),
+        (&["absent.yaml", "--base=0,0", "--goal=1,1"], 3, "absent.yaml"),
+    ];
+    for (args, code, wanted) in table {
+        let output = uchain(here.path(), &[&["plan"], *args].concat());
+        assert_eq!(output.status.code(), Some(*code), "{args:?}: {}", stderr(&output));
+        assert!(
+            stderr(&output).contains(wanted),
+            "{args:?}\n  got    {}\n  wanted {wanted}",
+            stderr(&output)
+        );
+        assert!(files(here.path()).is_empty(), "{args:?}");
+    }
+}
