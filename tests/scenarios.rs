@@ -72,12 +72,29 @@ fn a_chain_reaches_40_m_into_a_real_basement_and_stays_connected() {
     }
 }
 
+/// The laws of the authors' simulator and of their firmware fly the circuit too.
+#[test]
+fn both_presets_fly_the_circuit_without_touching_anything() {
+    for name in ["circuit-frontiers2021", "circuit-cavemod"] {
+        for s in thirty(name) {
+            assert_eq!((s.wall_contacts, s.uav_contacts), (0, 0), "{name}, seed {}", s.seed);
+            assert_eq!(s.connected_fraction, 1.0, "{name}, seed {}", s.seed);
+            let gap_db = s.bottleneck_gap_db.expect("a tunnel of known middle");
+            assert!(gap_db < 3.0, "{name}, seed {}: {gap_db} dB from the optimum", s.seed);
+            assert_eq!(s.outcome, "completed", "{name}, seed {}", s.seed);
+        }
+    }
+}
+
 /// What three seeds of every tunnel come to. A changed digest is a changed result: a minor version.
 #[test]
 fn the_table_of_results_is_the_reviewed_one() {
-    let mut table =
-        String::from("scenario seed launches_s                links true_db         spread reach_m digest\n");
-    for name in ["straight", "corner", "bend"] {
+    let mut table = format!(
+        "{:21} seed {:32} {:26} spread relays needed gap_db reach_m digest\n",
+        "scenario", "launches_s", "links true_db"
+    );
+    let names = ["straight", "corner", "bend", "circuit", "circuit-frontiers2021", "circuit-cavemod"];
+    for name in names {
         let course = course(name, &[]);
         for seed in 1..=3 {
             let s = run(&course, seed, &mut ()).unwrap();
@@ -85,10 +102,13 @@ fn the_table_of_results_is_the_reviewed_one() {
             let links: Vec<String> = s.links.iter().map(|link| format!("{:.1}", link.true_db)).collect();
             let _ = writeln!(
                 table,
-                "{name:8} {seed:4} {:24} {:20} {:6.2} {:7.2} {}",
+                "{name:21} {seed:4} {:32} {:26} {:6.2} {:6} {:6} {:6.2} {:7.2} {}",
                 launches.join(" "),
                 links.join(" "),
                 s.spread_db.unwrap_or(f32::NAN),
+                s.relays_used,
+                s.relays_needed.unwrap_or_default(),
+                s.bottleneck_gap_db.unwrap_or(f32::NAN),
                 s.head_reach_m,
                 s.digest
             );
