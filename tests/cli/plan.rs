@@ -72,9 +72,9 @@ fn what_is_at_hand_changes_the_answer() {
 #[test]
 fn a_bare_map_is_planned_from_its_base_to_its_goal() {
     let here = folder();
-    let yaml = "image: hall.pgm\nresolution: 0.1\norigin: [500, -200, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n";
+    let yaml = "image: hall.pgm\nresolution: 0.1\norigin: [500000, -4200000, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n";
     fs::write(here.path().join("old hall.yaml"), yaml).unwrap();
-    // 20 m by 1.4 m of free space within rock.
+    // 20 m by 1.4 m of free space within rock, in a surveyor's frame.
     let cell = |x: usize, y: usize| if (5..205).contains(&x) && (5..19).contains(&y) { 254 } else { 0 };
     let mut image = b"P5 210 24 255\n".to_vec();
     image.extend((0..24).flat_map(|y| (0..210).map(move |x| cell(x, y))));
@@ -82,19 +82,19 @@ fn a_bare_map_is_planned_from_its_base_to_its_goal() {
     let before = files(here.path());
 
     let plan = |args: &[&str]| uchain(here.path(), &[&["plan", "old hall.yaml"], args].concat());
-    let missing = plan(&["--goal=515,-198.8"]);
+    let missing = plan(&["--goal=500015,-4199998.8"]);
     assert_eq!(missing.status.code(), Some(2));
     assert!(
         stderr(&missing).contains("old hall.yaml is a bare map: add --base X,Y, in the map's own frame (m)"),
         "{}",
         stderr(&missing)
     );
-    let rock = plan(&["--base=0,0", "--goal=515,-198.8"]);
+    let rock = plan(&["--base=0,0", "--goal=500015,-4199998.8"]);
     assert_eq!(rock.status.code(), Some(3));
     assert!(stderr(&rock).contains("chain.base_m = [0, 0]: the base is in rock"), "{}", stderr(&rock));
     assert_eq!(files(here.path()), before);
 
-    let output = plan(&["--base=501.5,-198.8", "--goal=511.5,-198.8"]);
+    let output = plan(&["--base=500001.5,-4199998.8", "--goal=500011.5,-4199998.8"]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     // 60 dB reach 4.4 m.
     assert!(

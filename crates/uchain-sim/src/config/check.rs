@@ -19,7 +19,10 @@ const PILOT_MAX: usize = 10_000;
 /// Most entries of each list of planned faults.
 const FAULTS_MAX: usize = 10_000;
 
-/// Farthest coordinate (m); `f32` keeps a centimetre there.
+/// Farthest place in a map's own frame (m): a surveyor's coordinates; `f64` keeps a millimetre there with ease.
+const FRAME_MAX_M: f64 = 1e9;
+
+/// Farthest corner of a corridor (m); `f32` keeps a centimetre there.
 const COORDINATE_MAX_M: f64 = 100_000.0;
 
 /// The first value outside its range.
@@ -114,9 +117,9 @@ impl Check<'_> {
         spawns.iter().enumerate().try_for_each(|(i, &at)| self.point(&format!("chain.spawns_m.{i}"), at))
     }
 
-    fn point(&self, key: &str, at: [f32; 2]) -> Result<(), ConfigError> {
+    fn point(&self, key: &str, at: [f64; 2]) -> Result<(), ConfigError> {
         at.iter().enumerate().try_for_each(|(j, &value_m)| {
-            self.range(&format!("{key}.{j}"), f64::from(value_m), -COORDINATE_MAX_M, COORDINATE_MAX_M)
+            self.range(&format!("{key}.{j}"), value_m, -FRAME_MAX_M, FRAME_MAX_M)
         })
     }
 

@@ -84,7 +84,7 @@ impl Course {
         let radius_m = scenario.motion.radius_m;
         let spots = Spots { map: &map, radius_m, document };
         let [x_m, y_m] = scenario.chain.base_m;
-        let base = map.to_local([f64::from(x_m), f64::from(y_m)]);
+        let base = map.to_local([x_m, y_m]);
         if map.in_rock(base) {
             let expected = "the base is in rock; expected free space".to_owned();
             return Err(spots.invalid("chain.base_m", &format!("[{x_m}, {y_m}]"), expected));
@@ -95,8 +95,8 @@ impl Course {
         let mut spawns: Vec<Spawn> = Vec::with_capacity(scenario.chain.uavs);
         let heading_rad = scenario.chain.heading_deg.to_radians();
         for (index, place) in waiting_places(&scenario).into_iter().enumerate() {
-            let [place_x_m, place_y_m] = place.at_m;
-            let at = map.to_local([f64::from(place_x_m), f64::from(place_y_m)]);
+            let [place_x_m, place_y_m] = place.at_m.map(to_a_micrometre);
+            let at = map.to_local(place.at_m);
             spots.stands_free(index, &place, at, &spawns)?;
             if from_base.distance_m(&map, at).is_none() {
                 let expected = format!(
@@ -130,14 +130,14 @@ impl Course {
 struct Place {
     key: String,
     got: String,
-    at_m: [f32; 2],
+    at_m: [f64; 2],
 }
 
 /// One place per UAV, head first.
 fn waiting_places(scenario: &Scenario) -> Vec<Place> {
     let chain = &scenario.chain;
     if let Some(places) = &chain.spawns_m {
-        let place = |(i, &at_m): (usize, &[f32; 2])| Place {
+        let place = |(i, &at_m): (usize, &[f64; 2])| Place {
             key: format!("chain.spawns_m.{i}"),
             got: format!("[{}, {}]", at_m[0], at_m[1]),
             at_m,
@@ -148,13 +148,18 @@ fn waiting_places(scenario: &Scenario) -> Vec<Place> {
     let [x_m, y_m] = chain.base_m;
     let place = |index: usize| {
         let along_m = chain.spacing_m * (chain.uavs - 1 - index) as f32;
-        let at_m = [x_m + along_m * cos, y_m + along_m * sin];
+        let at_m = [x_m + f64::from(along_m * cos), y_m + f64::from(along_m * sin)];
         if index + 1 == chain.uavs {
             return Place { key: "chain.base_m".to_owned(), got: format!("[{x_m}, {y_m}]"), at_m };
         }
         Place { key: "chain.spacing_m".to_owned(), got: chain.spacing_m.to_string(), at_m }
     };
     (0..chain.uavs).map(place).collect()
+}
+
+/// For messages (m): a sum of binary fractions shows no digits that nobody wrote.
+fn to_a_micrometre(at_m: f64) -> f64 {
+    (at_m * 1e6).round() / 1e6
 }
 
 fn build(config: &CorridorConfig) -> Result<(Map, CentreLine), MapError> {
@@ -199,7 +204,7 @@ impl Spots<'_> {
         let Some([x_m, y_m]) = scenario.chain.goal_m else {
             return Ok(line.map(|line| Tunnel::new(line, base, heading_rad)));
         };
-        let goal = self.map.to_local([f64::from(x_m), f64::from(y_m)]);
+        let goal = self.map.to_local([x_m, y_m]);
         let wrong =
             |expected: &str| Err(self.invalid("chain.goal_m", &format!("[{x_m}, {y_m}]"), expected.into()));
         if self.map.in_rock(goal) {
@@ -226,7 +231,7 @@ impl Spots<'_> {
         at: Vec2,
         others: &[Spawn],
     ) -> Result<(), ConfigError> {
-        let [x_m, y_m] = place.at_m;
+        let [x_m, y_m] = place.at_m.map(to_a_micrometre);
         let uav = format!("UAV {index} would wait at ({x_m}, {y_m}) m");
         let wrong = |expected| Err(self.invalid(&place.key, &place.got, expected));
         if self.map.in_rock(at) {

@@ -113,11 +113,11 @@ pub struct ChainConfig {
     /// UAVs, the head included (1 to 1,000).
     pub uavs: usize,
     /// The base station (m).
-    pub base_m: [f32; 2],
+    pub base_m: [f64; 2],
     /// The deepest place the head may be sent to (m). A map without a centre line needs it for what is counted in
     /// depth: the optimum and the plan.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub goal_m: Option<[f32; 2]>,
+    pub goal_m: Option<[f64; 2]>,
     /// How long a UAV flies on one battery (s), for the plan (1 to 86,400); 5 to 15 min in Laclau 2021, §7.
     #[serde(default = "default_endurance_s")]
     pub endurance_s: f32,
@@ -129,7 +129,7 @@ pub struct ChainConfig {
     pub spacing_m: f32,
     /// Explicit waiting places instead of the row, head first (m).
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub spawns_m: Option<Vec<[f32; 2]>>,
+    pub spawns_m: Option<Vec<[f64; 2]>>,
 }
 
 fn default_endurance_s() -> f32 {
