@@ -149,6 +149,14 @@ proptest! {
             prop_assert!((f64::from(ours.variance_db2()) - variance).abs() < 1e-3 * variance);
             prop_assert!(ours.variance_db2() > 0.0 && ours.variance_db2() <= r);
         }
+        for _ in 0..5_000 {
+            ours.predict(0.0, period_s, &params);
+            ours.update(60.0, &params);
+        }
+        // The fixed point of P = (P + Q) R / (P + Q + R).
+        let (q, r) = (f64::from(q * period_s), f64::from(r));
+        let settled = 0.5 * ((q * q + 4.0 * q * r).sqrt() - q);
+        prop_assert!((f64::from(ours.variance_db2()) - settled).abs() < 2e-3 * settled);
     }
 }
 
@@ -230,7 +238,7 @@ fn any_observation() -> impl Strategy<Value = Observation> {
     (prop::option::of(any_tof()), radio, any_f32(), any_f32()).prop_map(
         |(tof, radio, ground_speed_mps, speed_mps)| {
             let pilot = Pilot { speed_mps, follow: Follow::Left };
-            Observation { tof, radio, ground_speed_mps, pilot }
+            Observation { tof, radio, ground_speed_mps, pilot: Some(pilot) }
         },
     )
 }

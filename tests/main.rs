@@ -33,7 +33,7 @@ fn shared_data() -> Option<PathBuf> {
     if data.is_dir() {
         return Some(data);
     }
-    assert!(std::env::var_os("CI").is_none(), "{} is missing: the gate needs it", data.display());
+    assert!(std::env::var("CI").as_deref() != Ok("true"), "{} is missing: the gate needs it", data.display());
     eprintln!("skipped: {} is not there", data.display());
     None
 }

@@ -90,7 +90,7 @@ impl<'a> Sim<'a> {
         let ranging = self.tick.is_multiple_of(self.senses.tof_ticks);
         for (i, body) in self.world.bodies().iter().enumerate() {
             let seen = &mut self.seen[i];
-            *seen = Observation { pilot, ..Observation::default() };
+            *seen = Observation { pilot: (i == 0).then_some(pilot), ..Observation::default() };
             if ranging && body.airborne {
                 let exact = read_tof(&self.senses.rays, &self.world, i, &self.senses.tof);
                 seen.tof = Some(self.senses.tof_noise[i].apply(exact));
@@ -114,6 +114,8 @@ impl<'a> Sim<'a> {
             y_m: body.at.y,
             heading_rad: body.heading_rad,
             forward_mps: body.forward_mps(),
+            lateral_mps: body.velocity_mps.dot(body.forward().perp()),
+            yaw_rate_radps: body.yaw_rate_radps,
             airborne: body.airborne,
             wall_contacts: body.wall_contacts,
             uav_contacts: body.uav_contacts,

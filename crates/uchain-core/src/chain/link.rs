@@ -42,11 +42,11 @@ crate::params! {
         pub base_flow: bool = true;
         /// Silence after which a link is lost (s).
         pub lost_s: f32 = 1.0, in 0.0..=600.0;
-        /// Filtered loss of the head's back link above which its forward command is zeroed (dB).
+        /// Loss of the head's back link, by `signal`, above which its forward command is zeroed (dB).
         pub head_stop_db: f32 = 70.0, in -50.0..=300.0;
-        /// Filtered loss of the head's back link above which it is forced backward (dB).
+        /// Loss of the head's back link, by `signal`, above which it is forced backward (dB).
         pub head_back_db: f32 = 75.0, in -50.0..=300.0;
-        /// Filtered loss of a relay's back link above which it flies backward (dB).
+        /// Loss of a relay's back link, by `signal`, above which it flies backward (dB).
         pub relay_back_db: f32 = 80.0, in -50.0..=300.0;
         /// How far a loss must fall below its threshold before the override ends (dB).
         pub hysteresis_db: f32 = 3.0, in 0.0..=100.0;
@@ -71,13 +71,15 @@ pub struct LinkEnd {
     filter: Option<ScalarKalman>,
     raw_db: Option<f32>,
     neighbour: Packet,
+    /// Decisions since the last packet: counted, for sums of periods would drift.
+    silent: u32,
     silent_s: f32,
 }
 
 impl LinkEnd {
     /// An end that has heard nothing yet.
     pub fn new(end: End) -> Self {
-        Self { end, filter: None, raw_db: None, neighbour: Packet::default(), silent_s: 0.0 }
+        Self { end, filter: None, raw_db: None, neighbour: Packet::default(), silent: 0, silent_s: 0.0 }
     }
 
     /// One decision period: a packet steps the filter (Algorithm 1), silence holds it or lets it predict. A
@@ -93,12 +95,13 @@ impl LinkEnd {
         let heard = heard.filter(|h| h.loss_db.is_finite());
         match heard {
             Some(heard) => {
-                self.silent_s = 0.0;
+                self.silent = 0;
                 self.raw_db = Some(heard.loss_db);
                 self.neighbour = heard.packet;
             }
-            None => self.silent_s += period_s,
+            None => self.silent = self.silent.saturating_add(1),
         }
+        self.silent_s = self.silent as f32 * period_s;
         let predicts = params.gap == Gap::Predict && self.silent_s <= params.predict_s;
         let separating_mps = self.separating_mps(own_speed_mps, params);
         match (&mut self.filter, heard) {
@@ -221,5 +224,19 @@ mod tests {
         link.hear(Some(&heard), 0.0, 0.2, &KalmanParams::default(), &LinkParams::default());
         assert_eq!(link.signal_db(Signal::Raw), Some(58.0));
         assert!(link.signal_db(Signal::Filtered) < Some(58.0));
+    }
+
+    #[test]
+    fn at_every_decision_rate_a_link_is_lost_after_a_second_not_at_it() {
+        let (kalman, params) = (KalmanParams::default(), LinkParams::default());
+        for (period_s, decisions) in [(0.05, 20), (0.1, 10), (0.2, 5)] {
+            let mut link = at(50.0);
+            for _ in 0..decisions {
+                link.hear(None, 0.0, period_s, &kalman, &params);
+            }
+            assert!(!link.is_lost(&params), "{period_s}");
+            link.hear(None, 0.0, period_s, &kalman, &params);
+            assert!(link.is_lost(&params), "{period_s}");
+        }
     }
 }

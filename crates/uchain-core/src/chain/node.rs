@@ -36,7 +36,7 @@ pub struct NodeParams {
 /// use uchain_core::{chain::{Node, NodeParams, Observation, Pilot, RadioSlot, Role}, seam::Brain};
 /// let mut head = Node::new(Role::Head, NodeParams::default());
 /// let pilot = Pilot { speed_mps: 0.2, ..Pilot::default() };
-/// let seen = Observation { radio: Some(RadioSlot::default()), pilot, ..Observation::default() };
+/// let seen = Observation { radio: Some(RadioSlot::default()), pilot: Some(pilot), ..Observation::default() };
 /// assert!(head.decide(&seen).airborne); // the head takes off at its first decision
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -44,7 +44,8 @@ pub struct Node {
     role: Role,
     params: NodeParams,
     airborne: bool,
-    flown_s: f32,
+    /// Decisions in the air: counted, for sums of periods would drift.
+    flown: u32,
     takeoff: Takeoff,
     back: LinkEnd,
     front: LinkEnd,
@@ -63,7 +64,7 @@ impl Node {
             role,
             params,
             airborne: false,
-            flown_s: 0.0,
+            flown: 0,
             takeoff: Takeoff::default(),
             back: LinkEnd::new(End::Front),
             front: LinkEnd::new(End::Rear),
@@ -80,11 +81,16 @@ impl Node {
     pub fn say(&self, ground_speed_mps: f32) -> Packet {
         Packet {
             ground_speed_mps,
-            flown_s: self.flown_s,
+            flown_s: self.flown_s(),
             follow: self.follow,
             imbalance_db: self.imbalance_db,
             is_base: false,
         }
+    }
+
+    /// For how long it has been in the air (s).
+    fn flown_s(&self) -> f32 {
+        self.flown as f32 * self.params.equalize.decision_s
     }
 
     /// Filtered loss of the link toward the base (dB); `None` before its first packet.
@@ -104,9 +110,13 @@ impl Node {
         self.front.hear(radio.front.as_ref(), 0.0, period_s, &p.kalman, &p.link);
         self.airborne = match self.role {
             Role::Head => true,
-            Role::Relay => self.front.signal_db(p.takeoff.launch_signal).is_some_and(|loss_db| {
-                self.takeoff.due(loss_db, &self.front.neighbour(), period_s, &p.takeoff)
-            }),
+            // Silence is no news: it neither launches nor counts against a launch.
+            Role::Relay => {
+                radio.front.is_some()
+                    && self.front.signal_db(p.takeoff.launch_signal).is_some_and(|loss_db| {
+                        self.takeoff.due(loss_db, &self.front.neighbour(), period_s, &p.takeoff)
+                    })
+            }
         };
     }
 
@@ -117,11 +127,13 @@ impl Node {
         let own_mps = if seen.ground_speed_mps.is_finite() { seen.ground_speed_mps } else { 0.0 };
         self.back.hear(radio.back.as_ref(), own_mps, period_s, &p.kalman, &p.link);
         self.front.hear(radio.front.as_ref(), own_mps, period_s, &p.kalman, &p.link);
-        self.flown_s += period_s;
+        self.flown = self.flown.saturating_add(1);
         let wish_mps = match self.role {
             Role::Head => {
-                self.follow = seen.pilot.follow;
-                let wish_mps = if seen.pilot.speed_mps.is_finite() { seen.pilot.speed_mps } else { 0.0 };
+                let pilot = seen.pilot.unwrap_or_default();
+                self.follow = pilot.follow;
+                let speed_mps = pilot.speed_mps;
+                let wish_mps = if speed_mps.is_finite() { speed_mps } else { 0.0 };
                 self.head_guard.limit(wish_mps, &self.back, &p.link)
             }
             Role::Relay => {
@@ -140,7 +152,7 @@ impl Node {
 
     fn command(&self) -> Command {
         let settled_s = self.params.takeoff.rise_s + self.params.takeoff.hover_s;
-        if !self.airborne || self.flown_s < settled_s {
+        if !self.airborne || self.flown_s() < settled_s {
             return Command { airborne: self.airborne, ..Command::default() };
         }
         let c = &self.centering;

@@ -89,8 +89,8 @@ pub struct Observation {
     pub radio: Option<RadioSlot>,
     /// Own forward ground speed by optic flow (m/s).
     pub ground_speed_mps: f32,
-    /// The pilot's wish; only the head listens.
-    pub pilot: Pilot,
+    /// The pilot's wish; only the head has a pilot.
+    pub pilot: Option<Pilot>,
 }
 
 /// All a chain node may ask of its body.

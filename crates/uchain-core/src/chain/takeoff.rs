@@ -52,24 +52,24 @@ crate::params! {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Takeoff {
-    over_s: f32,
+    /// Decisions with the loss above the threshold: counted, for sums of periods would drift.
+    over: u32,
 }
 
 impl Takeoff {
     /// Whether to take off now. `loss_db`: loss to the last UAV of the chain; `front`: what that UAV
-    /// said last; `period_s`: time since the last call. The hold starts with the first decision above the
+    /// said last; `period_s`: the decision period. The hold starts with the first decision above the
     /// threshold, so that 0 launches at once.
     pub fn due(&mut self, loss_db: f32, front: &Packet, period_s: f32, params: &TakeoffParams) -> bool {
         let level = params.launch == Launch::Threshold || front.imbalance_db <= params.converged_db;
         let over = level && loss_db > params.s_min_db && front.flown_s >= params.after_previous_s;
         if !over {
-            self.over_s = 0.0;
+            self.over = 0;
             return false;
         }
-        // Half a period of slack: a hold is a whole number of periods, and sums of periods are rounded.
-        let due = self.over_s + 0.5 * period_s >= params.launch_hold_s;
-        self.over_s += period_s;
-        due || params.launch_hold_s == 0.0
+        let due = self.over as f32 * period_s >= params.launch_hold_s;
+        self.over = self.over.saturating_add(1);
+        due
     }
 }
 

@@ -31,7 +31,9 @@ impl Recorder for Digest {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         self.0.write(&frame.tick.to_le_bytes());
         for uav in &frame.uavs {
-            for value in [uav.x_m, uav.y_m, uav.heading_rad, uav.forward_mps] {
+            for value in
+                [uav.x_m, uav.y_m, uav.heading_rad, uav.forward_mps, uav.lateral_mps, uav.yaw_rate_radps]
+            {
                 self.number(value);
             }
             self.0.write(&[u8::from(uav.airborne)]);
@@ -61,6 +63,8 @@ mod tests {
             y_m: 2.0,
             heading_rad: 0.0,
             forward_mps: 0.0,
+            lateral_mps: 0.0,
+            yaw_rate_radps: 0.0,
             airborne: true,
             wall_contacts: 0,
             uav_contacts: 0,

@@ -24,6 +24,7 @@ pub struct Metrics<'a> {
     duration_s: f64,
     limit_db: f32,
     time_s: f64,
+    decided_s: f64,
     launches_s: Vec<f64>,
     airborne: Vec<bool>,
     down: Vec<(usize, f64)>,
@@ -33,7 +34,8 @@ pub struct Metrics<'a> {
     converged_s: Option<f64>,
     wall_contacts: u32,
     uav_contacts: u32,
-    decisions: u64,
+    /// Decisions since the head took off.
+    flown: u64,
     connected: u64,
     worst_link_db: Option<f32>,
     head_reach_m: f32,
@@ -48,6 +50,7 @@ impl<'a> Metrics<'a> {
             duration_s: scenario.duration_s,
             limit_db: scenario.packets.limit_db,
             time_s: 0.0,
+            decided_s: 0.0,
             launches_s: Vec::new(),
             airborne: Vec::new(),
             down: Vec::new(),
@@ -56,7 +59,7 @@ impl<'a> Metrics<'a> {
             converged_s: None,
             wall_contacts: 0,
             uav_contacts: 0,
-            decisions: 0,
+            flown: 0,
             connected: 0,
             worst_link_db: None,
             head_reach_m: 0.0,
@@ -85,7 +88,7 @@ impl<'a> Metrics<'a> {
             outcome: self.outcome(),
             launches_s: self.launches_s.clone(),
             uavs: self.uavs(),
-            relays_used: self.uavs().saturating_sub(1),
+            relays_used: self.airborne.iter().skip(1).filter(|airborne| **airborne).count(),
             relays_needed: self.relays_needed(),
             bottleneck_gap_db: self.bottleneck_gap_db(),
             links,
@@ -94,7 +97,7 @@ impl<'a> Metrics<'a> {
             converged_s: self.converged_s,
             wall_contacts: self.wall_contacts,
             uav_contacts: self.uav_contacts,
-            connected_fraction: self.connected as f64 / self.decisions.max(1) as f64,
+            connected_fraction: self.connected as f64 / self.flown.max(1) as f64,
             head_reach_m: self.head_reach_m,
             digest,
         }
@@ -105,14 +108,24 @@ impl<'a> Metrics<'a> {
         self.airborne.iter().filter(|airborne| **airborne).count()
     }
 
+    /// Whether the head is in the air.
+    fn head_flies(&self) -> bool {
+        self.airborne.first().is_some_and(|airborne| *airborne)
+    }
+
     fn outcome(&self) -> String {
         let mut words = vec!["completed".to_owned()];
         words.extend(self.down.iter().map(|(uav, time_s)| match uav {
-            0 => format!("the head failed at {time_s:.1} s"),
-            _ => format!("UAV {uav} failed at {time_s:.1} s"),
+            0 => format!("the head failed at {time_s:.2} s"),
+            _ => format!("UAV {uav} failed at {time_s:.2} s"),
         }));
-        let broken = |links: &Vec<LinkFrame>| links.iter().any(|link| link.true_db >= self.limit_db);
-        if self.at_the_end.last().is_some_and(broken) {
+        let links = self.at_the_end.last().map_or(&[][..], Vec::as_slice);
+        if self.uavs() == 0 {
+            words.push("nobody was in the air at the end".to_owned());
+        } else if self.head_flies() && links.first().is_some_and(|link| link.filtered_db.is_none()) {
+            words.push("the head never heard anybody".to_owned());
+        }
+        if links.iter().any(|link| link.true_db >= self.limit_db) {
             words.push("the chain was broken at the end".to_owned());
         }
         words.join("; ")
@@ -124,10 +137,10 @@ impl<'a> Metrics<'a> {
         for (uav, (was, is)) in self.airborne.iter_mut().zip(&frame.uavs).enumerate() {
             match (*was, is.airborne) {
                 (false, true) => {
-                    self.launches_s.push(self.time_s);
+                    self.launches_s.push(self.decided_s);
                     self.converged_s = None;
                 }
-                (true, false) => self.down.push((uav, self.time_s)),
+                (true, false) => self.down.push((uav, self.decided_s)),
                 _ => {}
             }
             *was = is.airborne;
@@ -135,16 +148,21 @@ impl<'a> Metrics<'a> {
     }
 
     fn decision(&mut self, frame: &Frame) {
-        self.decisions += 1;
         let true_db = frame.links.iter().map(|link| link.true_db);
         self.worst_link_db = self.worst_link_db.into_iter().chain(true_db).max_by(f32::total_cmp);
-        self.connected += u64::from(frame.links.iter().all(|link| link.true_db < self.limit_db));
+        if self.head_flies() {
+            self.flown += 1;
+            self.connected += u64::from(frame.links.iter().all(|link| link.true_db < self.limit_db));
+        } else if self.flown > 0 {
+            // Without its head the chain connects nobody to the operator.
+            self.flown += 1;
+        }
         self.head_reach_m = self.head_reach_m.max(frame.head_reach_m);
         // In the tick of a launch the links are still those without the new UAV.
         let whole = frame.links.len() == self.uavs();
-        if self.converged_s.is_none() && whole && self.time_s >= 0.1 * self.duration_s {
+        if self.converged_s.is_none() && whole && self.decided_s >= 0.1 * self.duration_s {
             let level = spread_db(&frame.links).is_some_and(|spread| spread < CONVERGED_DB);
-            self.converged_s = level.then_some(self.time_s);
+            self.converged_s = level.then_some(self.decided_s);
         }
         if self.time_s > self.duration_s - END_S {
             self.at_the_end.push(frame.links.clone());
@@ -153,13 +171,13 @@ impl<'a> Metrics<'a> {
     }
 
     fn relays_needed(&self) -> Option<usize> {
-        let yardstick = self.course.yardstick()?;
+        let yardstick = self.course.yardstick().filter(|_| self.head_flies())?;
         let depth_m = yardstick.tunnel().depth_m(*self.heads.last()?);
         yardstick.links_needed(depth_m).map(|links| links - 1)
     }
 
     fn bottleneck_gap_db(&self) -> Option<f32> {
-        let yardstick = self.course.yardstick()?;
+        let yardstick = self.course.yardstick().filter(|_| self.head_flies())?;
         let mut best_db = BTreeMap::new();
         let gaps = self.at_the_end.iter().zip(&self.heads).filter_map(|(links, head)| {
             let worst_db = links.iter().map(|link| link.true_db).max_by(f32::total_cmp)?;
@@ -176,6 +194,7 @@ impl<'a> Metrics<'a> {
 impl Recorder for Metrics<'_> {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         self.time_s = frame.time_s();
+        self.decided_s = frame.decided_s();
         self.take_offs(frame);
         self.wall_contacts = frame.uavs.iter().map(|uav| uav.wall_contacts).sum();
         self.uav_contacts = frame.uavs.iter().map(|uav| uav.uav_contacts).sum::<u32>() / 2;

@@ -50,10 +50,12 @@ pub struct Summary {
     pub wall_contacts: u32,
     /// Contacts between UAVs begun.
     pub uav_contacts: u32,
-    /// Share of decisions at which every link's true loss was below the reception limit.
+    /// Share of the decisions since the head's take-off at which it flew and every link's true loss was below
+    /// the reception limit.
     pub connected_fraction: f64,
     /// Farthest tunnel distance of the head from the base (m).
     pub head_reach_m: f32,
-    /// Hash over every bit of every UAV's state at every tick, 16 hex digits.
+    /// Hash over every bit of every UAV's pose, velocity and contacts at every tick, and of every link at every
+    /// decision, 16 hex digits.
     pub digest: String,
 }

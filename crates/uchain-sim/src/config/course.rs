@@ -74,7 +74,8 @@ impl Course {
     fn lay_in(scenario: Scenario, source: &Source, document: &Document<'_>) -> Result<Self, ConfigError> {
         let (map, line) = match &scenario.map {
             MapConfig::Corridor(config) => {
-                let built = build(config).map_err(|cause| refuse(document, "map.corridor", cause));
+                let built = build(config, scenario.chain.base_m);
+                let built = built.map_err(|cause| refuse(document, "map.corridor", cause));
                 built.map(|(map, line)| (map, Some(line)))?
             }
             MapConfig::Ros(config) => {
@@ -162,14 +163,22 @@ fn to_a_micrometre(at_m: f64) -> f64 {
     (at_m * 1e6).round() / 1e6
 }
 
-fn build(config: &CorridorConfig) -> Result<(Map, CentreLine), MapError> {
-    let corner = |numbers: &Vec<f64>| Vertex {
-        x: numbers.first().copied().unwrap_or_default(),
-        y: numbers.get(1).copied().unwrap_or_default(),
-        bend_radius_m: numbers.get(2).copied().unwrap_or_default(),
+/// Builds a corridor around the base: there `f32` is finest, wherever the scenario's own frame has its origin.
+fn build(config: &CorridorConfig, [base_x_m, base_y_m]: [f64; 2]) -> Result<(Map, CentreLine), MapError> {
+    let around = |x_m: f64, y_m: f64| {
+        let corner = |numbers: &Vec<f64>| Vertex {
+            x: numbers.first().copied().unwrap_or_default() - x_m,
+            y: numbers.get(1).copied().unwrap_or_default() - y_m,
+            bend_radius_m: numbers.get(2).copied().unwrap_or_default(),
+        };
+        let corners: Vec<Vertex> = config.centre_line_m.iter().map(corner).collect();
+        corridor(&corners, config.width_m, config.closed)
     };
-    let corners: Vec<Vertex> = config.centre_line_m.iter().map(corner).collect();
-    corridor(&corners, config.width_m, config.closed)
+    match around(base_x_m, base_y_m) {
+        Ok((map, line)) => Ok((map.with_offset_m([base_x_m, base_y_m]), line)),
+        // What is wrong is said in the scenario's own coordinates.
+        Err(cause) => Err(around(0.0, 0.0).err().unwrap_or(cause)),
+    }
 }
 
 fn read(config: &RosConfig, source: &Source) -> Result<Map, MapError> {

@@ -22,6 +22,8 @@ fn flight(course: &Course, seconds: u64) -> (History, Summary) {
             y_m: 0.1 * (i as f32 - 1.0),
             heading_rad: 0.0,
             forward_mps: 0.2,
+            lateral_mps: 0.0,
+            yaw_rate_radps: 0.0,
             airborne: i < flying,
             wall_contacts: 0,
             uav_contacts: 0,

@@ -131,9 +131,16 @@ impl Map {
         self.bounds
     }
 
-    /// Where the map frame's origin lies in the map file's own frame (m); zero for a map that was built.
+    /// Where the map frame's origin lies in the frame of the map's file or scenario (m).
     pub fn offset_m(&self) -> [f64; 2] {
         self.offset_m
+    }
+
+    /// The same map, its origin standing at `offset_m` of the frame its description uses (m).
+    #[must_use]
+    pub fn with_offset_m(mut self, offset_m: [f64; 2]) -> Self {
+        self.offset_m = offset_m;
+        self
     }
 
     /// A point of the map file's own frame (m) in the map frame (m).

@@ -61,7 +61,8 @@ pub enum DeafSide {
     Front,
 }
 
-/// A UAV that fails for good.
+/// A UAV that fails for good. Its neighbours listen to the next UAV in line from that moment on, their filters going
+/// on with what they knew of the old link.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Dead {

@@ -11,6 +11,10 @@ pub struct UavFrame {
     pub heading_rad: f32,
     /// Forward speed over ground (m/s).
     pub forward_mps: f32,
+    /// Leftward speed over ground (m/s).
+    pub lateral_mps: f32,
+    /// Yaw rate, counter-clockwise (rad/s).
+    pub yaw_rate_radps: f32,
     /// In the air; a UAV on the ground has no body and blocks nobody.
     pub airborne: bool,
     /// Wall contacts begun so far.
@@ -33,7 +37,8 @@ pub struct LinkFrame {
 /// One instant of a run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Frame {
-    /// Ticks since the start; one tick is [`TICK_S`].
+    /// Ticks since the start; one tick is [`TICK_S`]. A frame shows the world at the end of its tick; what was
+    /// decided in it was decided at its start, [`Frame::decided_s`].
     pub tick: u64,
     /// Whether radio and laws ran at this tick (positioning rate).
     pub decision: bool,
@@ -51,9 +56,14 @@ pub const TICKS_PER_S: f64 = 20.0;
 pub const TICK_S: f32 = 0.05;
 
 impl Frame {
-    /// Simulated time (s).
+    /// Simulated time at the end of the tick (s).
     pub fn time_s(&self) -> f64 {
         self.tick as f64 / TICKS_PER_S
+    }
+
+    /// Simulated time at the start of the tick (s): when its decisions were taken and its losses measured.
+    pub fn decided_s(&self) -> f64 {
+        self.tick.saturating_sub(1) as f64 / TICKS_PER_S
     }
 }
 

@@ -66,12 +66,12 @@ pub fn read_tof(rays: &impl Rays, world: &World<'_>, uav: usize, params: &TofPar
     let bodies = world.bodies();
     let body = &bodies[uav];
     let reach_m = params.range_m + world.radius_m();
-    let near = |other: &Vec2| other.distance_squared(body.at) < reach_m * reach_m;
-    let others = || {
-        let seen =
-            |(i, other): (usize, &crate::world::Body)| (i != uav && other.airborne).then_some(other.at);
-        bodies.iter().enumerate().filter_map(seen).filter(near)
+    let in_the_way = |(i, other): (usize, &crate::world::Body)| {
+        let near = other.at.distance_squared(body.at) < reach_m * reach_m;
+        (i != uav && other.airborne && near).then_some(other.at)
     };
+    // Mostly none: an empty list costs no allocation.
+    let others: Vec<Vec2> = bodies.iter().enumerate().filter_map(in_the_way).collect();
     let forward = body.forward();
     let sensor = |mount_rad: f32| {
         let mut nearest_m = params.range_m;
@@ -80,7 +80,7 @@ pub fn read_tof(rays: &impl Rays, world: &World<'_>, uav: usize, params: &TofPar
             let (sin, cos) = libm::sincosf(mount_rad + share * params.field_of_view_rad);
             let direction = forward * cos + forward.perp() * sin;
             nearest_m = nearest_m.min(rays.cast(body.at, direction, nearest_m));
-            for other in others() {
+            for &other in &others {
                 nearest_m = nearest_m.min(disc_hit(body.at, direction, other, world.radius_m()));
             }
         }

@@ -11,9 +11,13 @@ use crate::house::{House, read, run};
 /// What is flown: a scenario, and keys set otherwise than in it.
 type Mission = (&'static str, &'static [&'static str]);
 
-/// A clean flight, and one whose laws are switched off so that it ends at a wall, where rapier moves the body.
-const MISSIONS: [Mission; 2] =
-    [("corner", &[]), ("corner", &["center.c_t_per_s=0.0", "center.c_r_rad_per_s_m=0.0"])];
+/// A clean flight; one whose laws are switched off so that it ends at a wall, where rapier moves the body; one with
+/// the other speed law and with tunnel distances in its radio.
+const MISSIONS: [Mission; 3] = [
+    ("corner", &[]),
+    ("corner", &["center.c_t_per_s=0.0", "center.c_r_rad_per_s_m=0.0"]),
+    ("circuit-frontiers2021", &[]),
+];
 
 /// Makes the system's C library choose its functions as on a CPU without FMA and AVX2 (glibc on x86-64).
 const PLAIN_CPU: (&str, &str) = ("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-FMA,-AVX2");

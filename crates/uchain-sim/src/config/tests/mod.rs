@@ -98,8 +98,10 @@ fn depth_counts_from_the_base_to_the_goal() {
         let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
         Course::read(&source(PLAIN), &sets).unwrap()
     };
-    let at = glam::vec2(3.0, 0.1);
-    let tunnel = |course: &Course| (course.tunnel.as_ref().unwrap().length_m(), course.depth_m(at));
+    let tunnel = |course: &Course| {
+        let at = course.map.to_local([3.0, 0.1]);
+        (course.tunnel.as_ref().unwrap().length_m(), course.depth_m(at))
+    };
     assert_eq!(tunnel(&course(&[])), (8.0, Some(3.0)));
     assert_eq!(tunnel(&course(&["chain.goal_m=[6, 0.2]"])), (6.0, Some(3.0)));
     let (length_m, depth_m) = tunnel(&course(&["chain.base_m=[7, 0]", "chain.heading_deg=180"]));
