@@ -70,6 +70,23 @@ fn what_is_at_hand_changes_the_answer() {
 }
 
 #[test]
+fn a_head_that_is_asked_to_fly_too_fast_is_planned_at_its_most_and_the_plan_says_so() {
+    let here = folder();
+    let plan = |speed: &str| {
+        let output = uchain(here.path(), &["plan", "staircase", "--speed", speed]);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let json = fs::read_to_string(here.path().join("plans/staircase/plan.json")).unwrap();
+        (stdout(&output).to_owned(), serde_json::from_str::<Value>(&json).unwrap())
+    };
+    let ((said, fast), (_, most)) = (plan("1"), plan("0.3"));
+    assert_eq!(fast["rows"], most["rows"]);
+    assert_eq!(fast["speed_mps"], most["speed_mps"]);
+    assert_eq!((fast["speed_asked_mps"].as_f64(), most["speed_asked_mps"].as_f64()), (Some(1.0), None));
+    let why = "(1 m/s asked, cut to equalize.v_max_mps = 0.3)";
+    assert_eq!(said.matches(why).count(), 2, "above the table and in the answer: {said}");
+}
+
+#[test]
 fn a_bare_map_is_planned_from_its_base_to_its_goal() {
     let here = folder();
     let yaml = "image: hall.pgm\nresolution: 0.1\norigin: [500000, -4200000, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n";
@@ -91,7 +108,13 @@ fn a_bare_map_is_planned_from_its_base_to_its_goal() {
     );
     let rock = plan(&["--base=0,0", "--goal=500015,-4199998.8"]);
     assert_eq!(rock.status.code(), Some(3));
-    assert!(stderr(&rock).contains("chain.base_m = [0, 0]: the base is in rock"), "{}", stderr(&rock));
+    let wanted = "error: --base=0,0: chain.base_m = [0, 0]: the base is in rock";
+    assert!(stderr(&rock).contains(wanted), "{}", stderr(&rock));
+    let nowhere = plan(&["--base=500001.5,-4199998.8", "--goal=500001.5,-4199998.8"]);
+    assert_eq!(nowhere.status.code(), Some(3));
+    let wanted =
+        "error: --goal=500001.5,-4199998.8: chain.goal_m: the two ends of the way are one place (0 m apart)";
+    assert!(stderr(&nowhere).contains(wanted), "{}", stderr(&nowhere));
     assert_eq!(files(here.path()), before);
 
     let output = plan(&["--base=500001.5,-4199998.8", "--goal=500011.5,-4199998.8"]);
@@ -102,7 +125,9 @@ fn a_bare_map_is_planned_from_its_base_to_its_goal() {
         "{}",
         stdout(&output)
     );
-    assert!(here.path().join("plans/old-hall/plan.json").exists());
+    let json = fs::read_to_string(here.path().join("plans/old-hall/plan.json")).unwrap();
+    let json: Value = serde_json::from_str(&json).unwrap();
+    assert!(json["relays_available"].is_null(), "nobody said how many");
 }
 
 #[test]
@@ -113,11 +138,18 @@ fn a_plan_that_cannot_be_made_says_why_and_writes_nothing() {
         (&["corner", "--to", "12", "--step", "0.001"], 3, "more than 1000 rows"),
         (&["corner", "--to", "0"], 2, "expected a length in metres, more than 0"),
         (&["corner", "--speed", "-1"], 2, "expected a speed in m/s, more than 0 and at most 1"),
-        (&["corner", "--uavs", "0"], 2, "0 is not in 1..=1000"),
+        (&["corner", "--uavs", "0"], 2, "expected a whole number from 1 to 1000"),
         (&["corner", "--base", "1"], 2, "expected X,Y in metres"),
         (&["cornr"], 3, "did you mean 'corner'?"),
         (&["corner", "--goal=0.1,0"], 3, "the goal lies behind the base"),
-        (&["absent.yaml", "--base=0,0", "--goal=1,1"], 3, "absent.yaml"),
+        (
+            &["corner", "--heading", "nan"],
+            2,
+            "'--heading <DEG>': expected an angle in degrees, from -360 to 360",
+        ),
+        (&["corner", "--base=0,9"], 3, "error: --base=0,9: chain.base_m = [0, 9]: the base is in rock"),
+        (&["corner", "--set", "chain.base_m=[0, 9]"], 3, "error: --set chain.base_m=[0, 9]: chain.base_m = "),
+        (&["absent.yaml", "--base=0,0", "--goal=1,1"], 3, "error: absent.yaml: No such file"),
     ];
     for (args, code, wanted) in table {
         let output = uchain(here.path(), &[&["plan"], *args].concat());

@@ -4,6 +4,8 @@ use std::{ffi::OsString, path::PathBuf, process::ExitCode};
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use uchain_sim::config::UAVS_MAX;
+
 use crate::exit::{self, Exit};
 
 const EXAMPLES: &str = "\
@@ -117,8 +119,8 @@ pub(crate) struct Plan {
     #[arg(long, value_name = "M", value_parser = length, allow_hyphen_values = true)]
     pub(crate) step: Option<f64>,
     /// UAVs at hand, the head included [default: the scenario's; for a bare map as many as it takes]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1000))]
-    pub(crate) uavs: Option<u16>,
+    #[arg(long, value_name = "N", value_parser = uavs, allow_hyphen_values = true)]
+    pub(crate) uavs: Option<usize>,
     /// Speed of the head [default: the scenario's; for a bare map 0.2]
     #[arg(long, value_name = "MPS", value_parser = speed, allow_hyphen_values = true)]
     pub(crate) speed: Option<f32>,
@@ -127,6 +129,7 @@ pub(crate) struct Plan {
     #[arg(
         long,
         value_name = "DEG",
+        value_parser = angle,
         allow_hyphen_values = true,
         help = "Direction of the tunnel at the base (short for --set chain.heading_deg=DEG)"
     )]
@@ -190,6 +193,16 @@ fn point(text: &str) -> Result<[f64; 2], String> {
 fn length(text: &str) -> Result<f64, String> {
     let length_m = text.parse().ok().filter(|length_m: &f64| length_m.is_finite() && *length_m > 0.0);
     length_m.ok_or_else(|| "expected a length in metres, more than 0".to_owned())
+}
+
+fn uavs(text: &str) -> Result<usize, String> {
+    let uavs = text.parse().ok().filter(|uavs| (1..=UAVS_MAX).contains(uavs));
+    uavs.ok_or_else(|| format!("expected a whole number from 1 to {UAVS_MAX}"))
+}
+
+fn angle(text: &str) -> Result<f64, String> {
+    let angle_deg = text.parse().ok().filter(|angle_deg: &f64| angle_deg.abs() <= 360.0);
+    angle_deg.ok_or_else(|| "expected an angle in degrees, from -360 to 360".to_owned())
 }
 
 fn speed(text: &str) -> Result<f32, String> {

@@ -48,6 +48,8 @@ pub(crate) enum Failure {
     Input(#[from] ConfigError),
     #[error(transparent)]
     Plan(#[from] PlanError),
+    #[error("{0}")]
+    Map(String),
     #[error("{map} is a bare map: add {missing}, in the map's own frame (m), such as --base=-50.15,34.03")]
     BareMap { map: String, missing: &'static str },
     #[error("{} holds something else ({found}); name another folder, or add --force to write there all the same", folder.display())]
@@ -71,7 +73,7 @@ pub(crate) enum Failure {
 impl Failure {
     pub(crate) fn exit(&self) -> Exit {
         match self {
-            Self::Input(_) | Self::Plan(_) => Exit::InputInvalid,
+            Self::Input(_) | Self::Plan(_) | Self::Map(_) => Exit::InputInvalid,
             Self::BareMap { .. } | Self::Occupied { .. } | Self::Folder { .. } => Exit::Usage,
             Self::Interrupted | Self::Run(RunError::Record(RecordError::Interrupted { .. })) => {
                 Exit::Interrupted

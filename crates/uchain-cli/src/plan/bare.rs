@@ -2,32 +2,34 @@
 
 use std::path::Path;
 
-use uchain_sim::config::{Course, PilotStep, Source};
+use uchain_sim::config::{ConfigError, Course, PilotStep, Source};
 
 use crate::{args::Plan, exit::Failure};
 
-/// UAVs at hand where nobody says: as many as any chain may have.
-const UAVS_MAX: usize = 1000;
 /// The head's speed where nobody says (m/s).
 const SPEED_MPS: f32 = 0.2;
 
-/// The tunnel, with the chain and the speed asked for. Nothing is flown, so nobody asks whether all UAVs find
-/// room to wait.
-#[expect(clippy::default_trait_access, reason = "the type of a pilot's `follow` is the core's")]
-pub(super) fn course(asked: &Plan) -> Result<Course, Failure> {
-    let (source, mut sets) =
-        if is_map(&asked.what) { bare(asked)? } else { (Source::find(&asked.what)?, Vec::new()) };
-    sets.extend(asked.base.map(|[x, y]| format!("chain.base_m=[{x:?}, {y:?}]")));
-    sets.extend(asked.goal.map(|[x, y]| format!("chain.goal_m=[{x:?}, {y:?}]")));
-    sets.extend(asked.heading.map(|deg| format!("chain.heading_deg={deg:?}")));
-    sets.extend_from_slice(&asked.set);
-    let mut course = Course::read(&source, &sets)?;
+/// Key of the map's file.
+const FILE: &str = "map.ros.file";
 
-    match asked.uavs {
-        Some(uavs) => course.scenario.chain.uavs = usize::from(uavs),
-        None if is_map(&asked.what) => course.scenario.chain.uavs = UAVS_MAX,
-        None => {}
-    }
+/// A `--set` made of another argument: its assignment, and what was typed for it.
+struct Short {
+    assignment: String,
+    typed: String,
+}
+
+/// The tunnel with the speed asked for, and the UAVs at hand if anybody said how many. Nothing is flown, so nobody
+/// asks whether all of them find room to wait.
+#[expect(clippy::default_trait_access, reason = "the type of a pilot's `follow` is the core's")]
+pub(super) fn course(asked: &Plan) -> Result<(Course, Option<usize>), Failure> {
+    let is_map = is_map(&asked.what);
+    let source = if is_map { bare(asked)? } else { Source::find(&asked.what)? };
+    let shorts = shorts(asked, is_map);
+    let typed = asked.set.iter().cloned();
+    let sets: Vec<String> = shorts.iter().map(|short| short.assignment.clone()).chain(typed).collect();
+    let mut course = Course::read(&source, &sets).map_err(|error| explain(error, asked, &shorts))?;
+
+    let uavs = asked.uavs.or((!is_map).then_some(course.scenario.chain.uavs));
     if let Some(speed_mps) = asked.speed {
         let pilot = &mut course.scenario.pilot;
         match pilot.iter_mut().find(|step| step.speed_mps > 0.0) {
@@ -35,7 +37,7 @@ pub(super) fn course(asked: &Plan) -> Result<Course, Failure> {
             None => pilot.push(PilotStep { start_s: 0.0, speed_mps, follow: Default::default() }),
         }
     }
-    Ok(course)
+    Ok((course, uavs))
 }
 
 fn is_map(what: &str) -> bool {
@@ -43,8 +45,40 @@ fn is_map(what: &str) -> bool {
     end.is_some_and(|end| end.eq_ignore_ascii_case("yaml") || end.eq_ignore_ascii_case("yml"))
 }
 
+fn shorts(asked: &Plan, is_map: bool) -> Vec<Short> {
+    let point = |key: &str, flag: &str, at: Option<[f64; 2]>| {
+        at.map(|[x, y]| Short {
+            assignment: format!("{key}=[{x:?}, {y:?}]"),
+            typed: format!("{flag}={x},{y}"),
+        })
+    };
+    let map =
+        is_map.then(|| Short { assignment: format!("{FILE}={}", asked.what), typed: asked.what.clone() });
+    let heading = asked.heading.map(|deg| Short {
+        assignment: format!("chain.heading_deg={deg:?}"),
+        typed: format!("--heading={deg}"),
+    });
+    let base = point("chain.base_m", "--base", asked.base);
+    let goal = point("chain.goal_m", "--goal", asked.goal);
+    [map, base, goal, heading].into_iter().flatten().collect()
+}
+
+/// Names what was typed; of a bare map's own faults nobody typed a key.
+fn explain(error: ConfigError, asked: &Plan, shorts: &[Short]) -> Failure {
+    match error {
+        ConfigError::Map { key, cause, .. } if key == FILE && is_map(&asked.what) => {
+            let cause = cause.to_string();
+            let says_where = cause.starts_with(&asked.what);
+            Failure::Map(if says_where { cause } else { format!("{}: {cause}", asked.what) })
+        }
+        error => {
+            shorts.iter().fold(error, |error, short| error.typed_as(&short.assignment, &short.typed)).into()
+        }
+    }
+}
+
 /// A scenario around a ROS map: one UAV at the base, ahead of it the goal.
-fn bare(asked: &Plan) -> Result<(Source, Vec<String>), Failure> {
+fn bare(asked: &Plan) -> Result<Source, Failure> {
     let missing = match (asked.base, asked.goal) {
         (Some(_), Some(_)) => None,
         (None, Some(_)) => Some("--base X,Y"),
@@ -60,6 +94,5 @@ fn bare(asked: &Plan) -> Result<(Source, Vec<String>), Failure> {
     let text = format!(
         "name = \"{name}\"\nduration_s = 1.0\n[chain]\nuavs = 1\n[[pilot]]\nstart_s = 0.0\nspeed_mps = {SPEED_MPS:?}\n"
     );
-    let source = Source { label: asked.what.clone(), text, folder: std::path::PathBuf::new() };
-    Ok((source, vec![format!("map.ros.file={}", asked.what)]))
+    Ok(Source { label: asked.what.clone(), text, folder: std::path::PathBuf::new() })
 }

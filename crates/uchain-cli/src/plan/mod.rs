@@ -18,7 +18,7 @@ use table::{Steps, Table};
 
 pub(crate) fn reckon(asked: &args::Plan) -> Result<(), Failure> {
     let spinner = spinner(!(asked.quiet || asked.json));
-    let course = bare::course(asked)?;
+    let (course, uavs) = bare::course(asked)?;
     let name = &course.scenario.name;
     let folder = match &asked.out {
         Some(path) => Folder::chosen(path, asked.force)?,
@@ -26,7 +26,7 @@ pub(crate) fn reckon(asked: &args::Plan) -> Result<(), Failure> {
     };
     let to_m = asked.to.or_else(|| course.tunnel.as_ref().map(Tunnel::length_m));
     let steps = Steps::new(to_m.unwrap_or(1.0), asked.step);
-    let plan = plan(&course, asked.to, steps.plan_m)?;
+    let plan = plan(&course, asked.to, steps.plan_m, uavs)?;
     let table = Table::new(&plan, &steps);
     let picture = draw::plan_png(&plan, &table.answer())?;
     let json = serde_json::to_string_pretty(&plan)? + "\n";

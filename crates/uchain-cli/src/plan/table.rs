@@ -66,6 +66,7 @@ impl<'a> Table<'a> {
         let plan = self.plan;
         let speed =
             plan.speed_mps.map(|mps| format!(", the head at {} m/s", rounded(mps))).unwrap_or_default();
+        let speed = speed + &self.cut().map(|cut| format!(" ({cut})")).unwrap_or_default();
         let mut text =
             format!("{}: links of at most {} dB{speed}\n\n", plan.scenario, rounded(plan.s_min_db));
         text += "  depth  relays  worst link  one fewer  head there  relay 1 flies\n";
@@ -112,7 +113,8 @@ impl<'a> Table<'a> {
                 let _ = write!(sentence, " on the way and {relays} at the end");
             }
             if self.too_few(last) {
-                let _ = write!(sentence, ", {} at hand: too few", plan.relays_available + 1);
+                let at_hand = plan.relays_available.unwrap_or_default() + 1;
+                let _ = write!(sentence, ", {at_hand} at hand: too few");
             }
             self.times(last, &mut sentence);
         }
@@ -131,6 +133,9 @@ impl<'a> Table<'a> {
     fn times(&self, last: &PlanRow, sentence: &mut String) {
         let Some(time_min) = last.time_min else { return };
         let _ = write!(sentence, "; the head is there after {time_min:.1} min");
+        if let Some(cut) = self.cut() {
+            let _ = write!(sentence, " ({cut})");
+        }
         if let Some(first_min) = last.first_relay_min {
             let _ = write!(sentence, "; the first relay then has hovered {first_min:.1} min");
         }
@@ -139,10 +144,17 @@ impl<'a> Table<'a> {
         let _ = write!(sentence, "; a battery lasts {endurance_min:.1} min: {verdict}");
     }
 
+    /// Why the head is slower than asked, if it is.
+    fn cut(&self) -> Option<String> {
+        let asked_mps = rounded(self.plan.speed_asked_mps?);
+        let flown_mps = rounded(self.plan.speed_mps.unwrap_or_default());
+        Some(format!("{asked_mps} m/s asked, cut to equalize.v_max_mps = {flown_mps}"))
+    }
+
     /// On the way or there.
     fn too_few(&self, row: &PlanRow) -> bool {
         let so_far = self.plan.launches.iter().filter(|launch| launch.depth_m <= row.depth_m);
-        so_far.count() > self.plan.relays_available
+        self.plan.relays_available.is_some_and(|relays| so_far.count() > relays)
     }
 
     fn too_long(&self, row: &PlanRow) -> bool {

@@ -52,12 +52,15 @@ pub struct Plan {
     pub tunnel_m: f64,
     /// Loss no link may exceed (dB), `takeoff.s_min_db`.
     pub s_min_db: f64,
-    /// Relays at hand: `chain.uavs`, the head left out.
-    pub relays_available: usize,
+    /// Relays at hand, the head left out; `None` where nobody said how many.
+    pub relays_available: Option<usize>,
     /// Longest flight (s), `chain.endurance_s`.
     pub endurance_s: f64,
-    /// Speed of the head (m/s): the pilot's first step forward; `None` if there is none, and then no times.
+    /// Speed of the head (m/s): the pilot's first step forward, at most `equalize.v_max_mps`; `None` if it does not
+    /// fly forward, and then no times.
     pub speed_mps: Option<f64>,
+    /// Speed the pilot asks of the head (m/s), where it is more than `equalize.v_max_mps` and so is not flown.
+    pub speed_asked_mps: Option<f64>,
     /// UAVs needed at the worst depth, the head included; `None` where no number would do.
     pub uavs_needed: Option<usize>,
     /// The deepest row up to which every row is feasible (m); `None` if already the first is not.
@@ -85,7 +88,7 @@ pub struct PlanRow {
     /// Depth of the head (m).
     pub depth_m: f64,
     /// Least worst link with 1, 2, … links (dB), up to as many as are needed and at most [`MOST_LISTED`]; where no
-    /// number would do, up to as many as there are UAVs.
+    /// number would do, up to as many as there are UAVs at hand.
     pub bottleneck_by_links_db: Vec<f64>,
     /// Fewest relays that keep every link within `s_min`; `None` where no number does.
     pub relays_needed: Option<usize>,
@@ -100,19 +103,20 @@ pub struct PlanRow {
     pub feasible: bool,
 }
 
-/// Plans a mission down to `to_m` (the tunnel's end if `None`), with a row every `step_m`.
+/// Plans a mission down to `to_m` (the tunnel's end if `None`), with a row every `step_m`, for so many `uavs` at hand,
+/// the head included (`None`: as many as it takes).
 ///
 /// ```
 /// use uchain_sim::{analyse::plan, config::{Course, builtin}};
 /// let course = Course::read(&builtin("straight").unwrap(), &[]).unwrap();
-/// let plan = plan(&course, Some(10.0), 1.0).unwrap();
+/// let plan = plan(&course, Some(10.0), 1.0, None).unwrap();
 /// assert_eq!((plan.rows.len(), plan.uavs_needed), (10, Some(3)));
 /// ```
 ///
 /// # Errors
 /// A tunnel of unknown middle; a depth beyond its end; a depth or a step that is not positive; more than
 /// [`MOST_ROWS`] rows.
-pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64) -> Result<Plan, PlanError> {
+pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64, uavs: Option<usize>) -> Result<Plan, PlanError> {
     let yardstick = course.yardstick().ok_or(PlanError::NoTunnel)?;
     let tunnel_m = yardstick.tunnel().length_m();
     let to_m = to_m.unwrap_or(tunnel_m);
@@ -136,9 +140,10 @@ pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64) -> Result<Plan, Pla
         scenario: scenario.name.clone(),
         tunnel_m,
         s_min_db: scenario.takeoff.s_min_db.into(),
-        relays_available: scenario.chain.uavs.saturating_sub(1),
+        relays_available: uavs.map(|uavs| uavs.saturating_sub(1)),
         endurance_s: scenario.chain.endurance_s.into(),
         speed_mps: clock.speed_mps,
+        speed_asked_mps: clock.speed_asked_mps,
         uavs_needed: Some(1),
         feasible_to_m: None,
         launches: Vec::new(),
@@ -148,7 +153,7 @@ pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64) -> Result<Plan, Pla
     for step in 1..=steps as usize {
         let depth_m = (step as f64 * step_m).min(to_m).min(tunnel_m);
         let links = yardstick.links_needed(depth_m);
-        let listed = links.unwrap_or(plan.relays_available + 1).min(MOST_LISTED);
+        let listed = links.or(uavs).unwrap_or(MOST_LISTED).clamp(1, MOST_LISTED);
         let bottleneck = |links| yardstick.optimum(depth_m, links).bottleneck_db;
         let relays_needed = links.map(|links| links - 1);
         let time_min = clock.time_min(depth_m);
@@ -156,7 +161,7 @@ pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64) -> Result<Plan, Pla
             plan.launches.push(Launch { relay, depth_m, time_min });
         }
         plan.uavs_needed = plan.uavs_needed.zip(links).map(|(most, links)| most.max(links));
-        let enough = plan.uavs_needed.is_some_and(|uavs| uavs <= plan.relays_available + 1);
+        let enough = plan.uavs_needed.is_some_and(|needed| uavs.is_none_or(|uavs| needed <= uavs));
         let lasts = time_min.is_none_or(|time_min| 60.0 * time_min <= plan.endurance_s);
         let feasible = enough && lasts;
         feasible_so_far &= feasible;
@@ -180,6 +185,7 @@ pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64) -> Result<Plan, Pla
 /// When the head is where, if nothing stops it.
 struct Clock {
     speed_mps: Option<f64>,
+    speed_asked_mps: Option<f64>,
     ready_s: f64,
     start_m: f64,
 }
@@ -187,10 +193,14 @@ struct Clock {
 impl Clock {
     fn new(course: &Course) -> Self {
         let scenario = &course.scenario;
-        let forward = scenario.pilot.iter().map(|step| step.speed_mps).find(|&speed_mps| speed_mps > 0.0);
+        let asked = scenario.pilot.iter().map(|step| step.speed_mps).find(|&speed_mps| speed_mps > 0.0);
+        // Whatever the pilot asks for, the head clamps it.
+        let v_max_mps = scenario.equalize.v_max_mps;
+        let flown = asked.map(|speed_mps| speed_mps.min(v_max_mps)).filter(|&speed_mps| speed_mps > 0.0);
         let start_m = course.spawns.first().and_then(|head| course.depth_m(head.at));
         Self {
-            speed_mps: forward.map(f64::from),
+            speed_mps: flown.map(f64::from),
+            speed_asked_mps: asked.filter(|&speed_mps| speed_mps > v_max_mps).map(f64::from),
             ready_s: (scenario.takeoff.rise_s + scenario.takeoff.hover_s).into(),
             start_m: start_m.unwrap_or_default().into(),
         }
@@ -215,7 +225,7 @@ mod tests {
     #[test]
     fn a_straight_tunnel_needs_a_relay_every_44_m_and_the_head_takes_its_time() {
         // 60 dB reach 0.25 · 10^1.25 = 4.446 m.
-        let plan = plan(&course("straight", &["chain.endurance_s=60"]), None, 0.5).unwrap();
+        let plan = plan(&course("straight", &["chain.endurance_s=60"]), None, 0.5, None).unwrap();
         let needed: Vec<_> = plan.rows.iter().map(|row| row.relays_needed.unwrap()).collect();
         let by_hand: Vec<_> = plan.rows.iter().map(|row| (row.depth_m / 4.4457).floor() as usize).collect();
         assert_eq!(needed, by_hand);
@@ -232,8 +242,8 @@ mod tests {
 
     #[test]
     fn relays_that_are_not_there_end_what_is_feasible() {
-        let plan = plan(&course("straight", &["chain.uavs=2"]), Some(10.0), 1.0).unwrap();
-        assert_eq!((plan.relays_available, plan.feasible_to_m), (1, Some(8.0)));
+        let plan = plan(&course("straight", &[]), Some(10.0), 1.0, Some(2)).unwrap();
+        assert_eq!((plan.relays_available, plan.feasible_to_m), (Some(1), Some(8.0)));
         assert!(plan.rows.iter().all(|row| row.bottleneck_db.unwrap() <= 60.0));
         let last = plan.rows.last().unwrap();
         assert!(
@@ -244,20 +254,35 @@ mod tests {
     #[test]
     fn what_cannot_be_planned_is_refused_in_words() {
         let course = course("straight", &[]);
-        let words = |to_m, step_m| plan(&course, to_m, step_m).unwrap_err().to_string();
+        let words = |to_m, step_m| plan(&course, to_m, step_m, None).unwrap_err().to_string();
         assert_eq!(words(Some(20.0), 1.0), "to_m = 20: the tunnel ends 13.50 m from the base");
         assert_eq!(words(None, 0.0), "step_m = 0: must be more than 0");
         assert_eq!(words(Some(f64::NAN), 1.0), "to_m = NaN: must be more than 0");
         assert_eq!(words(Some(10.0), 0.001), "step_m = 0.001: 10 m in such steps are more than 1000 rows");
         let mut lost = course.clone();
         lost.tunnel = None;
-        assert_eq!(plan(&lost, None, 1.0).unwrap_err(), PlanError::NoTunnel);
+        assert_eq!(plan(&lost, None, 1.0, None).unwrap_err(), PlanError::NoTunnel);
+    }
+
+    #[test]
+    fn the_head_flies_no_faster_than_its_laws_let_it() {
+        let at = |speed: &str| {
+            let set = format!("pilot.0.speed_mps={speed}");
+            plan(&course("straight", &[&set, "equalize.v_max_mps=0.25"]), None, 5.0, None).unwrap()
+        };
+        let (fast, most) = (at("1"), at("0.25"));
+        assert_eq!(fast.rows, most.rows);
+        assert_eq!((fast.speed_mps, fast.speed_asked_mps), (Some(0.25), Some(1.0)));
+        assert_eq!((most.speed_mps, most.speed_asked_mps), (Some(0.25), None));
     }
 
     #[test]
     fn without_a_pilot_who_flies_forward_there_are_no_times() {
-        let plan = plan(&course("straight", &["pilot.0.speed_mps=0"]), None, 5.0).unwrap();
-        assert_eq!((plan.speed_mps, plan.rows[1].time_min, plan.rows[1].first_relay_min), (None, None, None));
-        assert!(plan.rows.iter().all(|row| row.feasible));
+        for set in ["pilot.0.speed_mps=0", "equalize.v_max_mps=0"] {
+            let plan = plan(&course("straight", &[set]), None, 5.0, None).unwrap();
+            let row = &plan.rows[1];
+            assert_eq!((plan.speed_mps, row.time_min, row.first_relay_min), (None, None, None), "{set}");
+            assert!(plan.rows.iter().all(|row| row.feasible), "{set}");
+        }
     }
 }

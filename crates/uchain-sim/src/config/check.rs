@@ -11,7 +11,7 @@ const TICK_S: f64 = 0.05;
 const DURATION_MAX_S: f64 = 86_400.0;
 
 /// Most UAVs in one chain.
-pub(super) const UAVS_MAX: usize = 1000;
+pub const UAVS_MAX: usize = 1000;
 
 /// Most steps a pilot may take.
 const PILOT_MAX: usize = 10_000;
@@ -35,6 +35,7 @@ pub(super) fn values(scenario: &Scenario, document: &Document<'_>) -> Result<(),
     check.chain(scenario)?;
     check.pilot(scenario)?;
     check.params(scenario)?;
+    check.tof_range(scenario)?;
     check.faults(scenario)?;
     check.ticks("equalize.decision_s", f64::from(scenario.equalize.decision_s))?;
     check.ticks("tof.period_s", f64::from(scenario.tof.period_s))
@@ -163,6 +164,20 @@ impl Check<'_> {
             }
         }
         Ok(())
+    }
+
+    /// The laws have to know the sensor's range: one that reads its full range means "no wall", not "a wall there".
+    fn tof_range(&self, scenario: &Scenario) -> Result<(), ConfigError> {
+        let own = ("center.tof_range_m", scenario.center.tof_range_m);
+        let other = ("tof.range_m", scenario.tof.range_m);
+        if own.1 == other.1 {
+            return Ok(());
+        }
+        // The key that was written is the one to point at.
+        let other_only = self.document.written(own.0).is_none() && self.document.written(other.0).is_some();
+        let ((key, got_m), (twin, twin_m)) = if other_only { (other, own) } else { (own, other) };
+        let expected = format!("must equal {twin} = {twin_m}, the range of the same sensor; set both");
+        Err(self.invalid(key, &got_m, expected))
     }
 
     fn faults(&self, scenario: &Scenario) -> Result<(), ConfigError> {

@@ -32,6 +32,11 @@ pub enum Origin {
         /// `key=value` as given.
         assignment: String,
     },
+    /// Another argument on the command line that stands for an assignment.
+    Argument {
+        /// As it may be typed, such as `--base=0,0`.
+        typed: String,
+    },
 }
 
 impl fmt::Display for Origin {
@@ -41,6 +46,7 @@ impl fmt::Display for Origin {
             Self::Whole { label } => f.write_str(label),
             Self::Preset { name, line } => write!(f, "<preset {name}>:{line}"),
             Self::Set { assignment } => write!(f, "--set {assignment}"),
+            Self::Argument { typed } => f.write_str(typed),
         }
     }
 }
@@ -158,6 +164,35 @@ pub enum ConfigError {
 }
 
 impl ConfigError {
+    /// Names a value by the argument it came from, where a program made its `assignment` (`key=value`) out of an
+    /// argument of its own, `typed`. An error about anything else stays as it is.
+    #[must_use]
+    pub fn typed_as(mut self, assignment: &str, typed: &str) -> Self {
+        if let Some(at) = self.place_mut()
+            && *at == (Origin::Set { assignment: shorten(assignment) })
+        {
+            *at = Origin::Argument { typed: shorten(typed) };
+        }
+        self
+    }
+
+    fn place_mut(&mut self) -> Option<&mut Origin> {
+        match self {
+            Self::Syntax { at, .. }
+            | Self::Set { at, .. }
+            | Self::UnknownKey { at, .. }
+            | Self::UnknownChoice { at, .. }
+            | Self::Missing { at, .. }
+            | Self::Invalid { at, .. }
+            | Self::Map { at, .. } => Some(at),
+            Self::UnknownScenario { .. }
+            | Self::UnknownPreset { .. }
+            | Self::Read { .. }
+            | Self::TooLong { .. }
+            | Self::NotText { .. } => None,
+        }
+    }
+
     pub(super) fn unknown_scenario(name: &str) -> Self {
         let known: Vec<String> = builtin_names().iter().map(|&n| n.to_owned()).collect();
         Self::UnknownScenario { name: shorten(name), choices: Box::new(Choices::for_word(name, known)) }

@@ -10,6 +10,7 @@ mod source;
 #[cfg(test)]
 mod tests;
 
+pub use check::UAVS_MAX;
 pub use course::{Course, Spawn};
 pub use diagnose::{Choices, ConfigError, Origin};
 pub use scenario::{ChainConfig, CorridorConfig, MapConfig, PilotStep, RosConfig, Scenario};

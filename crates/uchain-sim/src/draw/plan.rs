@@ -47,7 +47,8 @@ impl<'a> Sheet<'a> {
         let largest = |value: Value, least: f64| plan.rows.iter().filter_map(value).fold(least, f64::max);
         // What is at hand shows as well, if it is not far above.
         let most = largest(relays, 1.0);
-        let highest = most.max((plan.relays_available as f64).min(most + 3.0)) + 1.0;
+        let highest =
+            most.max(plan.relays_available.map_or(0.0, |relays| relays as f64).min(most + 3.0)) + 1.0;
         let endurance_min = plan.endurance_s / 60.0;
         Self {
             plan,
@@ -72,11 +73,13 @@ impl<'a> Sheet<'a> {
         self.relays.axes(scene, "depth of the head (m)", "relays needed");
         self.relays.clip(scene);
         self.relays.line(scene, self.steps(), &deep, 1.8);
-        let at_hand = self.plan.relays_available as f64;
-        level(scene, &self.relays, at_hand, &GREY);
+        let at_hand = self.plan.relays_available.map(|relays| relays as f64);
+        if let Some(at_hand) = at_hand {
+            level(scene, &self.relays, at_hand, &GREY);
+        }
         unclip(scene);
         mark(scene, &self.relays, 0, "needed", &deep, 1.8, None);
-        if self.relays.shows(at_hand) {
+        if at_hand.is_some_and(|at_hand| self.relays.shows(at_hand)) {
             mark(scene, &self.relays, 1, "at hand", &GREY, 1.2, DASHED);
         }
 

@@ -80,6 +80,16 @@ pub enum MapError {
         /// y in the map frame (m).
         y: f64,
     },
+    /// Two places that are one: there is no way between them to speak of.
+    #[error(
+        "the two ends of the way are one place ({apart_m} m apart); expected at least {least_m} m between them"
+    )]
+    OnePlace {
+        /// Distance between them (m).
+        apart_m: f64,
+        /// Least distance (m).
+        least_m: f64,
+    },
     /// Two places with no way between them.
     #[error(
         "no way leads from ({from_x}, {from_y}) to ({to_x}, {to_y}) m, at least none wider than about {cell_m:.3} m"

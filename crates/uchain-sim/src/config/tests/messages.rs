@@ -116,6 +116,17 @@ const BAD_LINES: &[(&str, &str, &str)] = &[
     ("[-0.6, 0.0], ", "", "plain.toml:4: map.corridor: "),
     (
         "[equalize]",
+        "[center]\ntof_range_m = 4.0\n[equalize]",
+        "plain.toml:13: center.tof_range_m = 4.0: must equal tof.range_m = 2, the range of the same sensor; set both",
+    ),
+    (
+        "[equalize]",
+        "[tof]\nrange_m = 4.0\n[equalize]",
+        "plain.toml:13: tof.range_m = 4.0: must equal center.tof_range_m = 2, the range of the same sensor; set both",
+    ),
+    ("[equalize]", "[center]\ntof_range_m = 4.0\n[tof]\nrange_m = 4.0\n[equalize]", "ok"),
+    (
+        "[equalize]",
         "[faults]\nburst_rate = 1.5\n[equalize]",
         "plain.toml:13: faults.burst_rate = 1.5: must lie in 0..=1",
     ),

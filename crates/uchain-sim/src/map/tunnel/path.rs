@@ -16,7 +16,7 @@ const CELLS_PER_CLEARANCE: f64 = 3.0;
 /// A wall farther away than this no longer pushes (m): a UAV's oblique beams of 2 m do not see it.
 pub(super) const OPEN_M: f64 = 1.4;
 /// Two places nearer to each other than this have no way between them worth the name (m).
-const SHORTEST_M: f32 = 1e-3;
+const SHORTEST_M: f64 = 1e-3;
 /// No cell.
 const NONE: u32 = u32::MAX;
 
@@ -36,9 +36,9 @@ impl Map {
                 return Err(MapError::InRock { x: f64::from(p.x), y: f64::from(p.y) });
             }
         }
-        if from.distance(to) < SHORTEST_M {
-            let (length_m, needed_m) = (f64::from(from.distance(to)), f64::from(SHORTEST_M));
-            return Err(MapError::LegTooShort { leg: 0, length_m, needed_m });
+        let apart_m = f64::from(from.distance(to));
+        if apart_m < SHORTEST_M {
+            return Err(MapError::OnePlace { apart_m, least_m: SHORTEST_M });
         }
         let mut search = Search::new(self, from, to);
         let rough = search.run(from, to).ok_or_else(|| MapError::NoWay {
