@@ -90,6 +90,9 @@ impl Course {
             let expected = "the base is in rock; expected free space".to_owned();
             return Err(spots.invalid("chain.base_m", &format!("[{x_m}, {y_m}]"), expected));
         }
+        // Before the geodesic, which takes longest: a detour allows for far fewer corners.
+        let path_loss = PathLoss::new(scenario.radio.clone(), &map)
+            .map_err(|cause| refuse(document, "radio.detour_db_per_m", cause))?;
         let from_base = map.geodesic(base).map_err(|cause| refuse(document, "chain.base_m", cause))?;
         let tunnel = spots.tunnel(&scenario, line, base)?;
 
@@ -108,8 +111,6 @@ impl Course {
             }
             spawns.push(Spawn { at, heading_rad });
         }
-        let path_loss = PathLoss::new(scenario.radio.clone(), &map)
-            .map_err(|cause| refuse(document, "radio.detour_db_per_m", cause))?;
         Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, chart: OnceLock::new() })
     }
 

@@ -11,7 +11,7 @@ use glam::{DVec2, Vec2};
 use super::{Map, MapError, geometry::orient};
 
 /// Most corners of rock a tunnel distance is worked out for: time grows with their square.
-pub const MOST_CORNERS: usize = 6_000;
+pub const MOST_CORNERS: usize = 12_000;
 
 /// Distances through free space from one source.
 #[derive(Debug, Clone)]
