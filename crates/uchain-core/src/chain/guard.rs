@@ -65,14 +65,7 @@ impl RelayGuard {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chain::{End, Heard, KalmanParams, Packet};
-
-    fn at(loss_db: f32) -> LinkEnd {
-        let mut link = LinkEnd::new(End::Front);
-        let heard = Heard { loss_db, packet: Packet::default() };
-        link.hear(Some(&heard), 0.0, 0.2, &KalmanParams::default(), &LinkParams::default());
-        link
-    }
+    use crate::chain::{End, KalmanParams, link::at};
 
     #[test]
     fn the_head_is_stopped_then_pulled_back_and_let_go_only_below_the_hysteresis() {

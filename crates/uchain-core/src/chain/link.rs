@@ -150,16 +150,18 @@ impl LinkEnd {
     }
 }
 
+/// A front end that has heard one packet at this loss, for the tests of this room.
+#[cfg(test)]
+pub(super) fn at(loss_db: f32) -> LinkEnd {
+    let mut link = LinkEnd::new(End::Front);
+    let heard = Heard { loss_db, packet: Packet::default() };
+    link.hear(Some(&heard), 0.0, 0.2, &KalmanParams::default(), &LinkParams::default());
+    link
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn at(loss_db: f32) -> LinkEnd {
-        let mut link = LinkEnd::new(End::Front);
-        let heard = Heard { loss_db, packet: Packet::default() };
-        link.hear(Some(&heard), 0.0, 0.2, &KalmanParams::default(), &LinkParams::default());
-        link
-    }
 
     #[test]
     fn a_link_is_lost_after_more_than_a_second_of_silence_and_found_with_one_packet() {

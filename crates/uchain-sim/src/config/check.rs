@@ -3,9 +3,10 @@
 use uchain_core::params::OutOfRange;
 
 use super::{ConfigError, MapConfig, Scenario, document::Document};
+use crate::record::TICKS_PER_S;
 
 /// Length of a tick (s). Every period is a multiple of it.
-const TICK_S: f64 = 0.05;
+const TICK_S: f64 = 1.0 / TICKS_PER_S;
 
 /// Longest run (s): a day.
 const DURATION_MAX_S: f64 = 86_400.0;
