@@ -2,10 +2,12 @@
 
 mod laws;
 mod run;
+mod w1;
 
 fn main() {
     let mut criterion = criterion::Criterion::default().configure_from_args();
     laws::all(&mut criterion);
+    w1::all(&mut criterion);
     run::all(&mut criterion);
     criterion.final_summary();
 }

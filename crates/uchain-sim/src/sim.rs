@@ -112,9 +112,9 @@ impl<'a> Sim<'a> {
         frame.uavs.extend(self.world.bodies().iter().map(|body| UavFrame {
             x_m: body.at.x,
             y_m: body.at.y,
-            heading_rad: body.heading_rad,
+            heading_rad: body.heading_rad(),
             forward_mps: body.forward_mps(),
-            lateral_mps: body.velocity_mps.dot(body.forward().perp()),
+            lateral_mps: body.lateral_mps(),
             yaw_rate_radps: body.yaw_rate_radps,
             airborne: body.airborne,
             wall_contacts: body.wall_contacts,

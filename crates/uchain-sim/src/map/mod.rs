@@ -21,9 +21,10 @@ mod tests;
 mod tunnel;
 mod ways;
 
-use std::ops::ControlFlow;
+use std::{ops::ControlFlow, sync::OnceLock};
 
 use glam::{DVec2, Vec2};
+use rapier2d::prelude::SharedShape;
 use serde::{Deserialize, Serialize};
 
 pub use centre_line::CentreLine;
@@ -66,6 +67,8 @@ pub struct Map {
     grid: Grid,
     /// For each grid cell, whether its reference point is in rock; `None` where that point is on a wall.
     rock_at: Vec<Option<bool>>,
+    /// The walls as rapier takes them; made when first asked for, shared by all runs.
+    collider_shape: OnceLock<SharedShape>,
 }
 
 impl Map {
@@ -109,8 +112,15 @@ impl Map {
         let low = walls.iter().fold(Vec2::INFINITY, |low, wall| low.min(wall.a));
         let high = walls.iter().fold(Vec2::NEG_INFINITY, |high, wall| high.max(wall.a));
         let grid = Grid::new(&walls);
-        let mut map =
-            Self { walls, loops: starts, bounds: (low, high), offset_m: [0.0; 2], grid, rock_at: Vec::new() };
+        let mut map = Self {
+            walls,
+            loops: starts,
+            bounds: (low, high),
+            offset_m: [0.0; 2],
+            grid,
+            rock_at: Vec::new(),
+            collider_shape: OnceLock::new(),
+        };
         map.rock_at = map.rock_at_references();
         Ok(map)
     }
@@ -146,6 +156,16 @@ impl Map {
     /// A point of the map file's own frame (m) in the map frame (m).
     pub fn to_local(&self, [x, y]: [f64; 2]) -> Vec2 {
         Vec2::new((x - self.offset_m[0]) as f32, (y - self.offset_m[1]) as f32)
+    }
+
+    /// The walls as one shape of rapier's; `None` without walls.
+    pub(crate) fn collider_shape(&self) -> Option<SharedShape> {
+        let polyline = || {
+            let corners = self.walls.iter().flat_map(|wall| [wall.a, wall.b]).collect();
+            let edges = (0..self.walls.len() as u32).map(|i| [2 * i, 2 * i + 1]).collect();
+            SharedShape::polyline(corners, Some(edges))
+        };
+        (!self.walls.is_empty()).then(|| self.collider_shape.get_or_init(polyline).clone())
     }
 
     /// Distance from `p` to the nearest wall (m), on whichever side of it `p` lies. NaN for a `p` that is no point.

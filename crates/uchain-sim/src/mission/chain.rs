@@ -73,7 +73,7 @@ impl<'a> ChainMission<'a> {
         let course = self.course;
         let antenna = |i: usize| {
             let body = &world.bodies()[i];
-            Antenna { at: body.at, heading_rad: Some(body.heading_rad) }
+            Antenna { at: body.at, heading_rad: Some(body.heading_rad()) }
         };
         let base = course.base.into();
         let loss_db = |from: &Antenna, to: &Antenna| course.path_loss.loss_db(&course.map, from, to);

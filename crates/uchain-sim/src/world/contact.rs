@@ -3,22 +3,25 @@
 use glam::Vec2;
 use rapier2d::prelude::*;
 
-use super::motion::{Body, MotionParams, SUBSTEPS};
+use super::{
+    crowd::Crowd,
+    gate::Gate,
+    motion::{Body, MotionParams, SUBSTEPS},
+};
 use crate::{map::Map, record::TICK_S};
 
 /// How near surfaces must come to count as touching (m); rapier holds them this close.
 const TOUCH_M: f32 = 0.001;
 /// How far they must part for the contact to be over (m).
 const PART_M: f32 = 0.002;
-/// Slack of "within reach" over what one tick's motion can close (m).
-const REACH_SLACK_M: f32 = 0.01;
 
 pub(super) struct Contacts {
     physics: PhysicsWorld,
     handles: Vec<RigidBodyHandle>,
     radius_m: f32,
-    near: Vec<bool>,
+    gate: Gate,
     on_wall: Vec<bool>,
+    /// Pairs that touch, ascending, lower index first.
     touching: Vec<(u32, u32)>,
     still_touching: Vec<(u32, u32)>,
 }
@@ -26,14 +29,14 @@ pub(super) struct Contacts {
 impl core::fmt::Debug for Contacts {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_struct("Contacts")
-            .field("near", &self.near)
+            .field("gate", &self.gate)
             .field("touching", &self.touching)
             .finish_non_exhaustive()
     }
 }
 
 impl Contacts {
-    pub(super) fn new(map: &Map, params: &MotionParams, count: usize) -> Self {
+    pub(super) fn new(map: &Map, params: &MotionParams, count: usize, wide_open: bool) -> Self {
         let mut physics = PhysicsWorld::new();
         physics.gravity = Vec2::ZERO;
         let settings = &mut physics.integration_parameters;
@@ -45,13 +48,8 @@ impl Contacts {
         settings.normalized_prediction_distance = 0.1;
         settings.contact_recycling = false;
 
-        let corners: Vec<Vec2> = map.walls().iter().flat_map(|wall| [wall.a, wall.b]).collect();
-        let edges: Vec<[u32; 2]> = (0..map.walls().len() as u32).map(|i| [2 * i, 2 * i + 1]).collect();
-        if !edges.is_empty() {
-            physics.insert_collider(
-                ColliderBuilder::polyline(corners, Some(edges)).friction(0.0).restitution(0.0),
-                None,
-            );
+        if let Some(walls) = map.collider_shape() {
+            physics.insert_collider(ColliderBuilder::new(walls).friction(0.0).restitution(0.0), None);
         }
         let handles = (0..count)
             .map(|_| {
@@ -64,86 +62,84 @@ impl Contacts {
             physics,
             handles,
             radius_m: params.radius_m,
-            near: vec![false; count],
+            gate: Gate::new(count, wide_open),
             on_wall: vec![false; count],
-            touching: Vec::new(),
-            still_touching: Vec::new(),
+            touching: Vec::with_capacity(count),
+            still_touching: Vec::with_capacity(count),
         }
     }
 
-    /// Moves every body by one tick and counts the contacts that begin.
-    pub(super) fn advance(&mut self, map: &Map, bodies: &mut [Body]) {
-        self.find_near(map, bodies);
-        let mut any = false;
+    /// Moves every body by one tick and counts the contacts that begin. `crowd` knows where everybody is.
+    pub(super) fn advance(&mut self, map: &Map, crowd: &Crowd, bodies: &mut [Body]) {
+        self.gate.look(map, crowd, bodies, self.radius_m);
         for (i, body) in bodies.iter_mut().enumerate() {
-            self.switch(i, body);
-            any |= self.near[i];
-            if body.airborne && !self.near[i] {
+            if body.airborne && !self.gate.is_near(i) {
+                let from = body.at;
                 body.glide(TICK_S);
+                self.gate.spend(i, body.at.distance(from));
+            } else if !body.airborne {
+                self.gate.forget(i);
             }
         }
-        if any {
-            self.physics.step();
-            for (i, body) in bodies.iter_mut().enumerate().filter(|(i, _)| self.near[*i]) {
-                if let Some(rigid) = self.physics.bodies.get(self.handles[i]) {
-                    body.at = rigid.translation();
-                    body.velocity_mps = rigid.linvel();
-                }
-            }
+        self.take_out();
+        if !self.gate.near().is_empty() {
+            self.solve(bodies);
         }
-        self.count(map, bodies);
+        self.count_walls(map, bodies);
+        self.count_uavs(bodies);
     }
 
-    /// Who could touch something within the coming tick.
-    fn find_near(&mut self, map: &Map, bodies: &[Body]) {
-        self.near.fill(false);
-        for (i, body) in bodies.iter().enumerate().filter(|(_, b)| b.airborne) {
-            let stride_m = body.velocity_mps.length() * TICK_S;
-            self.near[i] |= map.clearance_m(body.at) < self.radius_m + stride_m + REACH_SLACK_M;
-            for (j, other) in bodies.iter().enumerate().skip(i + 1).filter(|(_, b)| b.airborne) {
-                let reach_m =
-                    2.0 * self.radius_m + stride_m + other.velocity_mps.length() * TICK_S + REACH_SLACK_M;
-                if body.at.distance_squared(other.at) < reach_m * reach_m {
-                    self.near[i] = true;
-                    self.near[j] = true;
-                }
+    /// Takes those out of rapier who are near nothing any more.
+    fn take_out(&mut self) {
+        for &uav in self.gate.near_before().iter().filter(|uav| !self.gate.is_near(**uav as usize)) {
+            self.on_wall[uav as usize] = false;
+            if let Some(rigid) = self.physics.bodies.get_mut(self.handles[uav as usize]) {
+                rigid.set_enabled(false);
             }
         }
     }
 
-    /// Hands a near body to rapier, takes a far one out of it.
-    fn switch(&mut self, i: usize, body: &Body) {
-        let Some(rigid) = self.physics.bodies.get_mut(self.handles[i]) else { return };
-        if self.near[i] {
-            rigid.set_enabled(true);
-            rigid.set_translation(body.at, true);
-            rigid.set_linvel(body.velocity_mps, true);
-        } else if rigid.is_enabled() {
-            rigid.set_enabled(false);
+    /// Lets rapier move those who are near something.
+    fn solve(&mut self, bodies: &mut [Body]) {
+        for &uav in self.gate.near() {
+            if let Some(rigid) = self.physics.bodies.get_mut(self.handles[uav as usize]) {
+                rigid.set_enabled(true);
+                rigid.set_translation(bodies[uav as usize].at, true);
+                rigid.set_linvel(bodies[uav as usize].velocity_mps, true);
+            }
+        }
+        self.physics.step();
+        for uav in 0..self.gate.near().len() {
+            let uav = self.gate.near()[uav] as usize;
+            if let Some(rigid) = self.physics.bodies.get(self.handles[uav]) {
+                bodies[uav].at = rigid.translation();
+                bodies[uav].velocity_mps = rigid.linvel();
+            }
+            self.gate.forget(uav);
         }
     }
 
-    /// One begin-touch is one contact; walls and UAVs apart.
-    fn count(&mut self, map: &Map, bodies: &mut [Body]) {
-        for (i, body) in bodies.iter_mut().enumerate() {
-            let limit_m = self.radius_m + if self.on_wall[i] { PART_M } else { TOUCH_M };
-            let touches = self.near[i] && map.clearance_m(body.at) <= limit_m;
-            body.wall_contacts += u32::from(touches && !self.on_wall[i]);
-            self.on_wall[i] = touches;
+    /// One begin-touch is one contact.
+    fn count_walls(&mut self, map: &Map, bodies: &mut [Body]) {
+        for &uav in self.gate.near() {
+            let (body, on_wall) = (&mut bodies[uav as usize], &mut self.on_wall[uav as usize]);
+            let limit_m = self.radius_m + if *on_wall { PART_M } else { TOUCH_M };
+            let touches = map.clearance_m(body.at) <= limit_m;
+            body.wall_contacts += u32::from(touches && !*on_wall);
+            *on_wall = touches;
         }
+    }
+
+    fn count_uavs(&mut self, bodies: &mut [Body]) {
         self.still_touching.clear();
-        for i in 0..bodies.len() {
-            for j in (i + 1..bodies.len()).filter(|j| self.near[i] && self.near[*j]) {
-                let pair = (i as u32, j as u32);
-                let touched = self.touching.contains(&pair);
-                let limit_m = 2.0 * self.radius_m + if touched { PART_M } else { TOUCH_M };
-                if bodies[i].at.distance(bodies[j].at) <= limit_m {
-                    self.still_touching.push(pair);
-                    if !touched {
-                        bodies[i].uav_contacts += 1;
-                        bodies[j].uav_contacts += 1;
-                    }
-                }
+        for &pair in self.gate.pairs() {
+            let (i, j) = (pair.0 as usize, pair.1 as usize);
+            let touched = self.touching.binary_search(&pair).is_ok();
+            let limit_m = 2.0 * self.radius_m + if touched { PART_M } else { TOUCH_M };
+            if bodies[i].at.distance(bodies[j].at) <= limit_m {
+                self.still_touching.push(pair);
+                bodies[i].uav_contacts += u32::from(!touched);
+                bodies[j].uav_contacts += u32::from(!touched);
             }
         }
         std::mem::swap(&mut self.touching, &mut self.still_touching);

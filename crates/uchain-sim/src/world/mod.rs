@@ -1,6 +1,8 @@
 //! Bodies in a tunnel: the only room that moves anything.
 
 mod contact;
+mod crowd;
+mod gate;
 mod motion;
 
 use glam::Vec2;
@@ -8,6 +10,8 @@ use uchain_core::chain::Command;
 
 use crate::{map::Map, record::TICK_S};
 use contact::Contacts;
+use crowd::Crowd;
+use gate::Gate;
 pub use motion::{Body, MotionParams};
 
 /// All UAVs of a run and the walls around them.
@@ -16,6 +20,7 @@ pub struct World<'a> {
     map: &'a Map,
     params: MotionParams,
     bodies: Vec<Body>,
+    crowd: Crowd,
     contacts: Contacts,
 }
 
@@ -23,8 +28,22 @@ impl<'a> World<'a> {
     /// UAVs on the ground at these places and headings (m, rad).
     pub fn new(map: &'a Map, params: MotionParams, spawns: impl Iterator<Item = (Vec2, f32)>) -> Self {
         let bodies: Vec<Body> = spawns.map(|(at, heading_rad)| Body::new(at, heading_rad)).collect();
-        let contacts = Contacts::new(map, &params, bodies.len());
-        Self { map, params, bodies, contacts }
+        Self::with_gate(map, params, bodies, false)
+    }
+
+    /// The same world with every UAV in the air going through rapier at every tick, near something or not: slow,
+    /// and the measure of the other.
+    pub fn ungated(map: &'a Map, params: MotionParams, spawns: impl Iterator<Item = (Vec2, f32)>) -> Self {
+        let bodies: Vec<Body> = spawns.map(|(at, heading_rad)| Body::new(at, heading_rad)).collect();
+        Self::with_gate(map, params, bodies, true)
+    }
+
+    fn with_gate(map: &'a Map, params: MotionParams, bodies: Vec<Body>, wide_open: bool) -> Self {
+        let contacts = Contacts::new(map, &params, bodies.len(), wide_open);
+        let crowd = Crowd::new(bodies.len(), Gate::reach_m(&params));
+        let mut world = Self { map, params, bodies, crowd, contacts };
+        world.crowd.sort(&world.bodies);
+        world
     }
 
     /// The tunnel.
@@ -42,19 +61,35 @@ impl<'a> World<'a> {
         self.params.radius_m
     }
 
+    /// Calls `visit` with the place of every other UAV in the air that is nearer than `reach_m` to this one (m).
+    pub fn others_near(&self, uav: usize, reach_m: f32, mut visit: impl FnMut(Vec2)) {
+        let Some(body) = self.bodies.get(uav) else { return };
+        self.crowd.near(body.at, reach_m, |other, at| {
+            if other != uav {
+                visit(at);
+            }
+        });
+    }
+
     /// Turns each command into the body's velocity for the coming tick.
     pub fn act(&mut self, asked: &[Command]) {
+        let mut changed = false;
         for (body, command) in self.bodies.iter_mut().zip(asked) {
+            changed |= body.airborne != command.airborne;
             body.steer(command, TICK_S, &self.params);
+        }
+        if changed {
+            self.crowd.sort(&self.bodies);
         }
     }
 
     /// One tick: free bodies glide, those within reach of a contact go through rapier.
     pub fn advance(&mut self) {
-        self.contacts.advance(self.map, &mut self.bodies);
+        self.contacts.advance(self.map, &self.crowd, &mut self.bodies);
         for body in &mut self.bodies {
             body.turn(TICK_S);
         }
+        self.crowd.sort(&self.bodies);
     }
 }
 

@@ -32,7 +32,9 @@ pub struct Body {
     /// Velocity in the map's frame (m/s).
     pub velocity_mps: Vec2,
     /// Direction of the body's x axis, counter-clockwise, in (−π, π] (rad).
-    pub heading_rad: f32,
+    heading_rad: f32,
+    /// Unit vector of the body's x axis: asked for many times a tick, so kept.
+    forward: Vec2,
     /// Yaw rate (rad/s).
     pub yaw_rate_radps: f32,
     /// In the air. On the ground a UAV does not move and is in nobody's way.
@@ -46,10 +48,12 @@ pub struct Body {
 impl Body {
     /// A UAV standing on the ground.
     pub fn new(at: Vec2, heading_rad: f32) -> Self {
+        let heading_rad = wrap(heading_rad);
         Self {
             at,
             velocity_mps: Vec2::ZERO,
             heading_rad,
+            forward: unit(heading_rad),
             yaw_rate_radps: 0.0,
             airborne: false,
             wall_contacts: 0,
@@ -59,13 +63,22 @@ impl Body {
 
     /// Unit vector of the body's x axis.
     pub fn forward(&self) -> Vec2 {
-        let (sin, cos) = libm::sincosf(self.heading_rad);
-        Vec2::new(cos, sin)
+        self.forward
+    }
+
+    /// Direction of the body's x axis, counter-clockwise, in (−π, π] (rad).
+    pub fn heading_rad(&self) -> f32 {
+        self.heading_rad
     }
 
     /// Forward speed over ground (m/s).
     pub fn forward_mps(&self) -> f32 {
-        self.velocity_mps.dot(self.forward())
+        self.velocity_mps.dot(self.forward)
+    }
+
+    /// Leftward speed over ground (m/s).
+    pub fn lateral_mps(&self) -> f32 {
+        self.velocity_mps.dot(self.forward.perp())
     }
 
     /// Velocity and yaw rate follow the command with their lags, within the acceleration limit.
@@ -76,8 +89,7 @@ impl Body {
             self.yaw_rate_radps = 0.0;
             return;
         }
-        let forward = self.forward();
-        let wish_mps = forward * command.forward_mps + forward.perp() * command.lateral_mps;
+        let wish_mps = self.forward * command.forward_mps + self.forward.perp() * command.lateral_mps;
         let change = (wish_mps - self.velocity_mps) * (tick_s / params.velocity_lag_s);
         self.velocity_mps += change.clamp_length_max(params.accel_max_mps2 * tick_s);
         self.yaw_rate_radps += (command.yaw_rate_radps - self.yaw_rate_radps) * (tick_s / params.yaw_lag_s);
@@ -93,13 +105,26 @@ impl Body {
 
     /// Turns for one tick. The heading is ours: nothing physical turns a UAV.
     pub(super) fn turn(&mut self, tick_s: f32) {
-        let turned = self.heading_rad + self.yaw_rate_radps * tick_s;
-        self.heading_rad = if turned > PI {
-            turned - TAU
-        } else if turned <= -PI {
-            turned + TAU
-        } else {
-            turned
-        };
+        if self.yaw_rate_radps == 0.0 {
+            return;
+        }
+        self.heading_rad = wrap(self.heading_rad + self.yaw_rate_radps * tick_s);
+        self.forward = unit(self.heading_rad);
     }
+}
+
+/// The same direction in (−π, π], for one that is off by less than a turn.
+fn wrap(heading_rad: f32) -> f32 {
+    if heading_rad > PI {
+        heading_rad - TAU
+    } else if heading_rad <= -PI {
+        heading_rad + TAU
+    } else {
+        heading_rad
+    }
+}
+
+fn unit(heading_rad: f32) -> Vec2 {
+    let (sin, cos) = libm::sincosf(heading_rad);
+    Vec2::new(cos, sin)
 }
