@@ -5,7 +5,7 @@ use rapier2d::prelude::*;
 
 use super::{
     crowd::Crowd,
-    gate::Gate,
+    gate::{Gate, GateMode},
     motion::{Body, MotionParams, SUBSTEPS},
 };
 use crate::{map::Map, record::TICK_S};
@@ -36,7 +36,7 @@ impl core::fmt::Debug for Contacts {
 }
 
 impl Contacts {
-    pub(super) fn new(map: &Map, params: &MotionParams, count: usize, wide_open: bool) -> Self {
+    pub(super) fn new(map: &Map, params: &MotionParams, count: usize, mode: GateMode) -> Self {
         let mut physics = PhysicsWorld::new();
         physics.gravity = Vec2::ZERO;
         let settings = &mut physics.integration_parameters;
@@ -62,7 +62,7 @@ impl Contacts {
             physics,
             handles,
             radius_m: params.radius_m,
-            gate: Gate::new(count, wide_open),
+            gate: Gate::new(count, mode),
             on_wall: vec![false; count],
             touching: Vec::with_capacity(count),
             still_touching: Vec::with_capacity(count),

@@ -13,6 +13,18 @@ const ROAM_MAX_M: f32 = 0.5;
 /// More than rounding can add to a distance flown (m).
 const ROUNDING_M: f32 = 1e-4;
 
+/// Who goes through the solver.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum GateMode {
+    /// Those who are near something.
+    Near,
+    /// Everybody in the air, always: the slow way, and the measure of the other.
+    Open,
+    /// Nobody, ever: what a test of the gate must notice.
+    #[cfg_attr(not(test), expect(dead_code, reason = "a control of the tests"))]
+    Shut,
+}
+
 /// Everybody's distance to go, and who is near something now.
 #[derive(Debug)]
 pub(super) struct Gate {
@@ -25,12 +37,11 @@ pub(super) struct Gate {
     /// Pairs within reach of each other, ascending, lower index first.
     pairs: Vec<(u32, u32)>,
     due: Vec<u32>,
-    /// Everybody in the air counts as near, always: the slow way, to compare with.
-    wide_open: bool,
+    mode: GateMode,
 }
 
 impl Gate {
-    pub(super) fn new(count: usize, wide_open: bool) -> Self {
+    pub(super) fn new(count: usize, mode: GateMode) -> Self {
         Self {
             roam_m: vec![0.0; count],
             near: vec![false; count],
@@ -38,7 +49,7 @@ impl Gate {
             before: Vec::with_capacity(count),
             pairs: Vec::with_capacity(count),
             due: Vec::with_capacity(count),
-            wide_open,
+            mode,
         }
     }
 
@@ -77,7 +88,7 @@ impl Gate {
             self.near[uav as usize] = false;
         }
         for (i, body) in bodies.iter().enumerate() {
-            if body.airborne && (self.wide_open || self.roam_m[i] < stride_m(body)) {
+            if body.airborne && (self.mode == GateMode::Open || self.roam_m[i] < stride_m(body)) {
                 self.due.push(i as u32);
             }
         }
@@ -95,7 +106,7 @@ impl Gate {
         let body = &bodies[i];
         let stride_i_m = stride_m(body);
         let wall_gap_m = map.clearance_m(body.at) - radius_m - SLACK_M;
-        if self.wide_open || wall_gap_m < stride_i_m {
+        if self.mode == GateMode::Open || wall_gap_m < stride_i_m {
             self.mark(i);
         }
         let mut roam_m = (wall_gap_m - ROUNDING_M).clamp(0.0, ROAM_MAX_M);
@@ -119,7 +130,7 @@ impl Gate {
     }
 
     fn mark(&mut self, uav: usize) {
-        if !self.near[uav] {
+        if !self.near[uav] && self.mode != GateMode::Shut {
             self.near[uav] = true;
             self.list.push(uav as u32);
         }

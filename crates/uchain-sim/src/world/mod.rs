@@ -11,7 +11,7 @@ use uchain_core::chain::Command;
 use crate::{map::Map, record::TICK_S};
 use contact::Contacts;
 use crowd::Crowd;
-use gate::Gate;
+use gate::{Gate, GateMode};
 pub use motion::{Body, MotionParams};
 
 /// All UAVs of a run and the walls around them.
@@ -27,19 +27,23 @@ pub struct World<'a> {
 impl<'a> World<'a> {
     /// UAVs on the ground at these places and headings (m, rad).
     pub fn new(map: &'a Map, params: MotionParams, spawns: impl Iterator<Item = (Vec2, f32)>) -> Self {
-        let bodies: Vec<Body> = spawns.map(|(at, heading_rad)| Body::new(at, heading_rad)).collect();
-        Self::with_gate(map, params, bodies, false)
+        Self::with_gate(map, params, spawns, GateMode::Near)
     }
 
     /// The same world with every UAV in the air going through rapier at every tick, near something or not: slow,
     /// and the measure of the other.
     pub fn ungated(map: &'a Map, params: MotionParams, spawns: impl Iterator<Item = (Vec2, f32)>) -> Self {
-        let bodies: Vec<Body> = spawns.map(|(at, heading_rad)| Body::new(at, heading_rad)).collect();
-        Self::with_gate(map, params, bodies, true)
+        Self::with_gate(map, params, spawns, GateMode::Open)
     }
 
-    fn with_gate(map: &'a Map, params: MotionParams, bodies: Vec<Body>, wide_open: bool) -> Self {
-        let contacts = Contacts::new(map, &params, bodies.len(), wide_open);
+    fn with_gate(
+        map: &'a Map,
+        params: MotionParams,
+        spawns: impl Iterator<Item = (Vec2, f32)>,
+        mode: GateMode,
+    ) -> Self {
+        let bodies: Vec<Body> = spawns.map(|(at, heading_rad)| Body::new(at, heading_rad)).collect();
+        let contacts = Contacts::new(map, &params, bodies.len(), mode);
         let crowd = Crowd::new(bodies.len(), Gate::reach_m(&params));
         let mut world = Self { map, params, bodies, crowd, contacts };
         world.crowd.sort(&world.bodies);
@@ -93,5 +97,7 @@ impl<'a> World<'a> {
     }
 }
 
+#[cfg(test)]
+mod gate_tests;
 #[cfg(test)]
 mod tests;
