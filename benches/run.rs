@@ -1,17 +1,81 @@
-use criterion::Criterion;
+//! Whole missions, all sensors, noise and physics.
+
+use std::fmt::Write as _;
+
+use criterion::{BenchmarkId, Criterion, Throughput};
 use uchain_sim::{
-    config::{Course, Scenario, builtin},
-    run::run,
+    config::{Course, Scenario, Source, builtin},
+    record::TICKS_PER_S,
+    run::{run, total_ticks},
+    sim::Sim,
 };
 
 pub(crate) fn all(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("run");
-    group.sample_size(10);
-    for name in ["straight", "corner", "bend"] {
+    missions(criterion);
+    chains(criterion);
+}
+
+/// Missions from their first tick to their last, digest and summary included; elements are simulated seconds.
+fn missions(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("mission");
+    group.sample_size(20);
+    for (name, uavs) in [("corner", 4), ("circuit", 5)] {
         let source = builtin(name).expect("a compiled-in scenario");
-        let scenario = Scenario::parse(&source, &[]).expect("a valid scenario");
-        let course = Course::lay(scenario, &source).expect("a valid course");
-        group.bench_function(name, |b| b.iter(|| run(&course, 1, &mut ()).expect("nobody stops it")));
+        let course = Course::read(&source, &[format!("chain.uavs={uavs}")]).expect("a valid course");
+        group.throughput(Throughput::Elements(total_ticks(course.scenario.duration_s) / TICKS_PER_S as u64));
+        group.bench_function(BenchmarkId::new(name, uavs), |b| {
+            b.iter(|| run(&course, 1, &mut ()).expect("nobody stops it"));
+        });
     }
     group.finish();
+}
+
+/// A long tunnel with a chain of UAVs 2 m apart, all in the air; elements are UAV-seconds.
+fn chains(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("chain");
+    group.sample_size(20);
+    for uavs in [5, 20, 100, 1000] {
+        let course = long_tunnel(uavs);
+        let ticks = TICKS_PER_S as usize;
+        group.throughput(Throughput::Elements(uavs as u64));
+        group.bench_function(BenchmarkId::new("ours", uavs), |b| {
+            let mut sim = Sim::new(&course, 1);
+            // One takes off at every decision.
+            (0..ticks * (10 + uavs / 5)).for_each(|_| sim.step(&mut ()).expect("nobody stops it"));
+            b.iter(|| (0..ticks).for_each(|_| sim.step(&mut ()).expect("nobody stops it")));
+        });
+    }
+    group.finish();
+}
+
+/// 2.1 km of zig-zag, 1.2 m wide, 420 walls.
+fn long_tunnel(uavs: usize) -> Course {
+    let corner = |i: usize| [10.0 * i as f64, if i.is_multiple_of(2) { 0.0 } else { 3.0 }];
+    let length_m = 10.0_f64.hypot(3.0);
+    let place = |along_m: f64| {
+        let (leg, rest) = ((along_m / length_m) as usize, along_m % length_m / length_m);
+        let (from, to) = (corner(leg), corner(leg + 1));
+        [from[0] + rest * (to[0] - from[0]), from[1] + rest * (to[1] - from[1])]
+    };
+    let mut text = format!(
+        "name = \"long-tunnel\"\nduration_s = 60.0\n\
+         takeoff = {{ s_min_db = -50.0, launch_hold_s = 0.0, after_previous_s = 0.0 }}\n\
+         [map.corridor]\nwidth_m = 1.2\ncentre_line_m = ["
+    );
+    (0..=201).map(corner).for_each(|[x, y]| write!(text, "[{x}, {y}], ").expect("into a String"));
+    let heading_deg = libm::atan2(3.0, 10.0).to_degrees();
+    let [base_x_m, base_y_m] = place(1.0);
+    write!(
+        text,
+        "]\n[chain]\nuavs = {uavs}\nbase_m = [{base_x_m}, {base_y_m}]\nheading_deg = {heading_deg}\nspawns_m = ["
+    )
+    .expect("into a String");
+    (1..=uavs)
+        .rev()
+        .map(|i| place(1.0 + 2.0 * i as f64))
+        .for_each(|[x, y]| write!(text, "[{x}, {y}], ").expect("into a String"));
+    text.push_str("]\n");
+    let source = Source { text, ..builtin("corner").expect("a compiled-in scenario") };
+    let scenario = Scenario::parse(&source, &[]).unwrap_or_else(|error| panic!("{error}"));
+    Course::lay(scenario, &source).unwrap_or_else(|error| panic!("{error}"))
 }

@@ -4,7 +4,7 @@ use uchain_core::chain::{Command, Observation};
 
 use crate::{
     config::Course,
-    map::Geodesic,
+    map::{Geodesic, Trail},
     mission::ChainMission,
     record::{Frame, RecordError, Recorder, TICK_S, TICKS_PER_S, UavFrame},
     seed::{Seed, Source},
@@ -19,6 +19,7 @@ pub struct Sim<'a> {
     mission: ChainMission<'a>,
     senses: Senses,
     from_base: &'a Geodesic,
+    trail: Trail,
     decision_ticks: u64,
     tick: u64,
     seen: Vec<Observation>,
@@ -61,6 +62,7 @@ impl<'a> Sim<'a> {
             mission: ChainMission::new(course, seed),
             senses,
             from_base: &course.from_base,
+            trail: Trail::default(),
             decision_ticks: ticks(scenario.equalize.decision_s),
             tick: 0,
             seen: vec![Observation::default(); robots.len()],
@@ -95,7 +97,7 @@ impl<'a> Sim<'a> {
                 let exact = read_tof(&self.senses.rays, &self.world, i, &self.senses.tof);
                 seen.tof = Some(self.senses.tof_noise[i].apply(exact));
             }
-            if decision {
+            if decision && body.airborne {
                 seen.ground_speed_mps = self.senses.flow[i].read(body);
             }
         }
@@ -125,7 +127,7 @@ impl<'a> Sim<'a> {
             frame.links.extend(self.mission.links());
             let head = self.world.bodies()[0].at;
             // A head pressed against a wall can stand a hair inside it; the last reach holds.
-            if let Some(reach_m) = self.from_base.distance_m(self.world.map(), head) {
+            if let Some(reach_m) = self.from_base.follow_m(self.world.map(), &mut self.trail, head) {
                 frame.head_reach_m = reach_m;
             }
         }

@@ -4,8 +4,6 @@
 //! corners, each with its distance from the source (Dijkstra over taut edges, found as they are needed), answer
 //! every query: the last corner before a point is the one with the least total that sees it.
 
-use std::{cmp::Reverse, collections::BinaryHeap};
-
 use glam::{DVec2, Vec2};
 
 use super::{Map, MapError, geometry::orient};
@@ -13,11 +11,15 @@ use super::{Map, MapError, geometry::orient};
 /// Most corners of rock a tunnel distance is worked out for: time grows with their square.
 pub const MOST_CORNERS: usize = 12_000;
 
+/// What rounding can add to a distance (m), and per metre of it.
+const ROUNDING_M: f64 = 1e-4;
+const ROUNDING: f64 = 1e-6;
+
 /// Distances through free space from one source.
 #[derive(Debug, Clone)]
 pub struct Geodesic {
     source: Vec2,
-    /// The corners that can be reached.
+    /// The corners that can be reached, the nearest first.
     corners: Vec<Corner>,
 }
 
@@ -124,25 +126,50 @@ impl Geodesic {
         if map.in_rock(p) {
             return None;
         }
-        if map.sees(self.source, p) {
-            return Some(self.source.distance(p));
+        self.between_m(map, p, 0.0, f64::INFINITY).map(|distance_m| distance_m as f32)
+    }
+
+    /// The same as [`Geodesic::distance_m`] for somebody who travels: where `p` is in sight of the place asked for
+    /// last, the answer differs from the last one by no more than the step between them, and hardly any corner
+    /// needs to be looked at.
+    pub fn follow_m(&self, map: &Map, trail: &mut Trail, p: Vec2) -> Option<f32> {
+        if map.in_rock(p) {
+            return None;
+        }
+        let near_last = trail.0.filter(|&(last, _)| map.sees(last, p)).and_then(|(last, distance_m)| {
+            let step_m = last.as_dvec2().distance(p.as_dvec2()) + ROUNDING_M + ROUNDING * distance_m;
+            self.between_m(map, p, distance_m - step_m, distance_m + step_m)
+        });
+        let distance_m = near_last.or_else(|| self.between_m(map, p, 0.0, f64::INFINITY));
+        trail.0 = distance_m.map(|distance_m| (p, distance_m));
+        distance_m.map(|distance_m| distance_m as f32)
+    }
+
+    /// The length of the shortest way if it lies between `least_m` and `most_m`.
+    fn between_m(&self, map: &Map, p: Vec2, least_m: f64, most_m: f64) -> Option<f64> {
+        let straight_m = f64::from(self.source.distance(p));
+        if straight_m >= least_m && map.sees(self.source, p) {
+            return Some(straight_m);
         }
         let to = p.as_dvec2();
-        // Distances are positive, so their bits sort as they do.
-        let total = |corner: &Corner| corner.distance_m + corner.at.as_dvec2().distance(to);
-        let entries: Vec<_> = self
-            .corners
-            .iter()
-            .enumerate()
-            .map(|(i, corner)| Reverse((total(corner).to_bits(), i)))
-            .collect();
-        let mut nearest_first = BinaryHeap::from(entries);
-        while let Some(Reverse((bits, index))) = nearest_first.pop() {
-            let corner = self.corners.get(index)?;
-            if corner.is_taut(to) && map.sees(corner.at, p) {
-                return Some(f64::from_bits(bits) as f32);
+        let mut best_m = None;
+        let mut most_m = most_m;
+        for corner in &self.corners {
+            // They come in the order of their distance: after the first that is too far, all are.
+            if corner.distance_m > most_m {
+                break;
+            }
+            let total_m = corner.distance_m + corner.at.as_dvec2().distance(to);
+            let better = total_m >= least_m && total_m <= most_m && best_m != Some(total_m);
+            if better && corner.is_taut(to) && map.sees(corner.at, p) {
+                best_m = Some(total_m);
+                most_m = total_m;
             }
         }
-        None
+        best_m
     }
 }
+
+/// Where somebody was last, and how far from the source (m).
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Trail(Option<(Vec2, f64)>);

@@ -30,7 +30,7 @@ use serde::{Deserialize, Serialize};
 pub use centre_line::CentreLine;
 pub use corridor::{Vertex, corridor};
 pub use error::MapError;
-pub use geodesic::{Geodesic, MOST_CORNERS};
+pub use geodesic::{Geodesic, MOST_CORNERS, Trail};
 pub use geometry::Segment;
 #[cfg(feature = "maps")]
 pub use ros::read_ros;

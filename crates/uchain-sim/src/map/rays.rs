@@ -7,6 +7,7 @@
 use std::ops::ControlFlow;
 
 use glam::{DVec2, Vec2};
+use smallvec::SmallVec;
 
 use super::{
     Map,
@@ -18,11 +19,11 @@ use super::{
 /// one.
 const TOUCH_M: f64 = 1e-6;
 
-/// Where a line crosses walls, and where it runs along them, as fractions of its length.
+/// Where a line crosses walls, and where it runs along them, as fractions of its length. Few cuts need no memory.
 #[derive(Default)]
 struct Cuts {
-    crossings: Vec<(f64, u32)>,
-    runs: Vec<(f64, f64)>,
+    crossings: SmallVec<[(f64, u32); 32]>,
+    runs: SmallVec<[(f64, f64); 8]>,
 }
 
 impl Map {

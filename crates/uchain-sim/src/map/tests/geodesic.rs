@@ -5,7 +5,10 @@ use std::f32::consts::PI;
 use glam::vec2;
 
 use super::{rectangle, room_with_a_pillar, sharp};
-use crate::map::{Map, MapError, Vertex, corridor};
+use crate::{
+    map::{Map, MapError, Trail, Vertex, corridor},
+    seed::{Seed, Source},
+};
 
 fn assert_distance(map: &Map, from: (f32, f32), to: (f32, f32), expected_m: f32) {
     for (from, to) in [(from, to), (to, from)] {
@@ -91,4 +94,28 @@ fn rock_and_other_rooms_are_out_of_reach() {
     assert!(matches!(map.geodesic(vec2(5.0, 3.0)), Err(MapError::InRock { .. })));
     map = Map::from_loops(vec![rectangle(0.0, 0.0, 1.0, 1.0), rectangle(2.0, 0.0, 3.0, 1.0)]).unwrap();
     assert_eq!(map.geodesic(vec2(0.5, 0.5)).unwrap().distance_m(&map, vec2(2.5, 0.5)), None);
+}
+
+#[test]
+fn who_travels_is_told_the_same_as_who_asks_anew() {
+    let corners = [(0.0, 0.0, 0.0), (6.0, 0.0, 0.0), (4.0, 4.0, 0.0), (7.0, 8.0, 1.0), (0.0, 8.0, 0.0)];
+    let corners = corners.map(|(x, y, bend_radius_m)| Vertex { x, y, bend_radius_m });
+    let ring = corridor(&corners, 1.0, true).unwrap().0;
+    for (map, from) in [(ring, vec2(2.0, 0.2)), (room_with_a_pillar(), vec2(0.5, 0.5))] {
+        let geodesic = map.geodesic(from).unwrap();
+        let mut random = Seed(1).stream(0, Source::Start);
+        let (mut trail, mut at, mut told) = (Trail::default(), from, 0);
+        for step in 0..20_000 {
+            // Mostly steps, sometimes a leap; into walls and rock, too.
+            let stride_m = if step % 97 == 0 { 10.0 } else { 0.1 };
+            let to = at + stride_m * vec2(random.uniform() - 0.5, random.uniform() - 0.5);
+            let (told_m, asked_m) = (geodesic.follow_m(&map, &mut trail, to), geodesic.distance_m(&map, to));
+            assert_eq!(told_m, asked_m, "at {to}");
+            if told_m.is_some() {
+                at = to;
+                told += 1;
+            }
+        }
+        assert!(told > 10_000, "{told}");
+    }
 }
