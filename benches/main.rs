@@ -1,13 +1,23 @@
-//! Benchmarks, a file a room: `cargo bench`, or `cargo bench -- laws` for some of them.
+//! Benchmarks, a file a room: `cargo bench`, or `cargo bench -- laws` for some of them; `cargo xtask bench` makes one
+//! table of them. A group is named after what is measured, one element of it in brackets; its function `ours` stands
+//! beside the baseline's.
 
+mod count;
 mod laws;
 mod run;
 mod w1;
 
-fn main() {
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let args: Vec<String> = std::env::args().skip(1).filter(|arg| arg != "--bench").collect();
+    if args.first().is_some_and(|arg| arg == "count") {
+        return count::count(args.get(1).map(String::as_str));
+    }
     let mut criterion = criterion::Criterion::default().configure_from_args();
     laws::all(&mut criterion);
     w1::all(&mut criterion);
     run::all(&mut criterion);
     criterion.final_summary();
+    ExitCode::SUCCESS
 }

@@ -1,7 +1,7 @@
 //! W1, the workload swarm simulators are compared on: N discs of 6 cm radius follow a zig-zag ring 2 m wide with
 //! 40 walls, by four single rays of 2 m and the centering law, at 0.2 m/s, with collisions, all at 20 Hz.
 
-mod ours;
+pub(crate) mod ours;
 mod plain;
 
 use criterion::{BenchmarkId, Criterion, Throughput};
@@ -35,7 +35,7 @@ fn corner(i: usize) -> Vec2 {
     (if i.is_multiple_of(2) { RING_M } else { RING_M - ZIG_ZAG_M }) * Vec2::new(cos, sin)
 }
 
-fn ring() -> Map {
+pub(crate) fn ring() -> Map {
     let corners: Vec<Vertex> = (0..CORNERS)
         .map(corner)
         .map(|at| Vertex { x: f64::from(at.x), y: f64::from(at.y), bend_radius_m: 0.0 })
@@ -68,7 +68,9 @@ fn command(tof: &Tof, params: &CenterParams) -> Command {
 
 pub(crate) fn all(criterion: &mut Criterion) {
     let map = ring();
-    for (name, seen) in [("w1/walls seen", Seen::Walls), ("w1/robots seen", Seen::Robots)] {
+    for (name, seen) in
+        [("w1 walls seen [robot-step]", Seen::Walls), ("w1 robots seen [robot-step]", Seen::Robots)]
+    {
         let mut group = criterion.benchmark_group(name);
         for count in [4, 64, 256] {
             group.throughput(Throughput::Elements(count as u64));

@@ -2,7 +2,10 @@
 
 use std::fmt::Write as _;
 
-use crate::steps::{STEPS, Step};
+use crate::{
+    bench::Bench,
+    steps::{STEPS, Step},
+};
 
 /// What the caller wants.
 pub(crate) enum Wish {
@@ -10,6 +13,8 @@ pub(crate) enum Wish {
     Help,
     /// These steps, in the gate's order.
     Test(Vec<&'static Step>),
+    /// These benchmarks.
+    Bench(Bench),
 }
 
 pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> {
@@ -17,10 +22,30 @@ pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> 
     if args.is_empty() || args.iter().any(|a| ["help", "--help", "-h"].contains(&a.as_str())) {
         return Ok(Wish::Help);
     }
-    if args[0] != "test" {
-        return Err(format!("unknown task `{}`", args[0]));
+    match args[0].as_str() {
+        "test" => test(&args[1..]),
+        "bench" => bench(&args[1..]),
+        other => Err(format!("unknown task `{other}`")),
     }
-    let named = &args[1..];
+}
+
+fn bench(args: &[String]) -> Result<Wish, String> {
+    let mut asked = Bench { filter: None, accept: false };
+    for arg in args {
+        match arg.as_str() {
+            "--accept" => asked.accept = true,
+            flag if flag.starts_with('-') => return Err(format!("unknown option `{flag}`")),
+            filter if asked.filter.is_none() => asked.filter = Some(filter.to_owned()),
+            more => return Err(format!("one filter at a time; what is `{more}`?")),
+        }
+    }
+    if asked.accept && asked.filter.is_some() {
+        return Err("--accept takes no filter: it counts all workloads".to_owned());
+    }
+    Ok(Wish::Bench(asked))
+}
+
+fn test(named: &[String]) -> Result<Wish, String> {
     if let Some(unknown) = named.iter().find(|name| STEPS.iter().all(|s| s.name != **name)) {
         return Err(format!("unknown step `{unknown}`"));
     }
@@ -30,8 +55,9 @@ pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> 
 
 pub(crate) fn help() -> String {
     let mut text = String::from(
-        "Usage: cargo xtask test [STEP]...\n\n\
-         Runs the named steps, or all of them, in this order; the first failure ends it:\n\n",
+        "Usage: cargo xtask test [STEP]...\n       \
+                cargo xtask bench [FILTER | --accept]\n\n\
+         `test` runs the named steps, or all of them, in this order; the first failure ends it:\n\n",
     );
     for step in STEPS {
         let _ = writeln!(text, "  {:<10} {}", step.name, step.about);
@@ -39,6 +65,11 @@ pub(crate) fn help() -> String {
     text.push_str(
         "\nEverything builds in the profile `checked`: optimised, every assertion on.\n\
          With CI=true a missing tool is a failure; without, its step is skipped.\n",
+    );
+    text.push_str(
+        "\n`bench` times everything, or what matches FILTER, and prints one table, ratios to the baselines\n\
+         first. Without a filter it then counts instructions under valgrind and compares them with\n\
+         benches/instructions.txt; --accept only counts, and writes that file.\n",
     );
     text
 }
@@ -51,6 +82,7 @@ mod tests {
         match parse(args.iter().map(ToString::to_string))? {
             Wish::Help => Ok(vec!["help"]),
             Wish::Test(steps) => Ok(steps.iter().map(|s| s.name).collect()),
+            Wish::Bench(_) => Ok(vec!["bench"]),
         }
     }
 
@@ -65,5 +97,13 @@ mod tests {
         assert_eq!(names(&["test", "clipy"]), Err("unknown step `clipy`".into()));
         assert_eq!(names(&["tset"]), Err("unknown task `tset`".into()));
         assert_eq!(names(&["test", "--help"]), Ok(vec!["help"]));
+        assert_eq!(names(&["bench", "--acept"]), Err("unknown option `--acept`".into()));
+    }
+
+    #[test]
+    fn a_benchmark_takes_one_filter_and_accepting_none() {
+        assert_eq!(names(&["bench", "rays"]), Ok(vec!["bench"]));
+        assert!(names(&["bench", "rays", "w1"]).is_err());
+        assert!(names(&["bench", "rays", "--accept"]).is_err());
     }
 }

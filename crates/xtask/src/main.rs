@@ -1,11 +1,15 @@
-//! The gate: every check of the project, one after the other, stopping at the first that fails.
+//! The gate: every check of the project, one after the other, stopping at the first that fails; and the benchmarks.
 
 mod args;
+mod bench;
 mod house;
 mod nm;
 mod steps;
 
-use std::{process::ExitCode, time::Instant};
+use std::{
+    process::ExitCode,
+    time::{Instant, SystemTime},
+};
 
 use args::Wish;
 use house::House;
@@ -18,6 +22,13 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         Ok(Wish::Test(steps)) => test(&steps),
+        Ok(Wish::Bench(asked)) => match bench::bench(&House::find(), &asked) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => {
+                eprintln!("\nbench: {error:#}");
+                ExitCode::FAILURE
+            }
+        },
         Err(message) => {
             eprintln!("{message}\n\n{}", args::help());
             ExitCode::from(2)
@@ -63,4 +74,12 @@ fn test(steps: &[&Step]) -> ExitCode {
 )]
 fn now() -> Instant {
     Instant::now()
+}
+
+#[expect(
+    clippy::disallowed_methods,
+    reason = "tells this run's estimates from older ones; nothing simulated runs here"
+)]
+fn system_now() -> SystemTime {
+    SystemTime::now()
 }

@@ -69,12 +69,10 @@ impl Map {
             return false;
         }
         let (a, b) = (a.as_dvec2(), b.as_dvec2());
-        if self.strikes(a, b) {
-            return false;
-        }
+        let Some(cuts) = self.cuts_unless(a, b, |clean| clean) else { return false };
         let length_m = a.distance(b);
         let mut clear = true;
-        self.each_rock_stretch(a, b, |from, to| {
+        self.each_stretch(a, b, &cuts, |from, to| {
             if length_m == 0.0 || (to - from) * length_m > TOUCH_M {
                 clear = false;
             }
@@ -82,27 +80,15 @@ impl Map {
         clear
     }
 
-    /// Whether `a b` passes clean through a wall.
-    fn strikes(&self, a: DVec2, b: DVec2) -> bool {
-        self.grid
-            .along(a, b, |cell| {
-                for &index in self.grid.walls_of(cell) {
-                    let (u, v) = self.walls[index as usize].ends();
-                    if opposite(orient(a, b, u), orient(a, b, v))
-                        && opposite(orient(u, v, a), orient(u, v, b))
-                    {
-                        return ControlFlow::Break(());
-                    }
-                }
-                ControlFlow::Continue(())
-            })
-            .is_break()
+    /// Calls `stretch` with the ends of each part of `a b` in rock, as fractions of the length, in order.
+    fn each_rock_stretch(&self, a: DVec2, b: DVec2, stretch: impl FnMut(f64, f64)) {
+        if let Some(cuts) = self.cuts_unless(a, b, |_| false) {
+            self.each_stretch(a, b, &cuts, stretch);
+        }
     }
 
-    /// Calls `stretch` with the ends of each part of `a b` in rock, as fractions of the length, in order.
-    fn each_rock_stretch(&self, a: DVec2, b: DVec2, mut stretch: impl FnMut(f64, f64)) {
-        let cuts = self.cuts(a, b);
-        let mut rock = self.rock_at_start(a, b, &cuts);
+    fn each_stretch(&self, a: DVec2, b: DVec2, cuts: &Cuts, mut stretch: impl FnMut(f64, f64)) {
+        let mut rock = self.rock_at_start(a, b, cuts);
         let mut from = 0.0;
         for to in cuts.crossings.iter().map(|&(t, _)| t).chain([1.0]) {
             if rock && to > from {
@@ -113,17 +99,23 @@ impl Map {
         }
     }
 
-    fn cuts(&self, a: DVec2, b: DVec2) -> Cuts {
+    /// Where `a b` meets walls; `None` as soon as `stop` says so of a wall it crosses, told whether it passes clean
+    /// through.
+    fn cuts_unless(&self, a: DVec2, b: DVec2, stop: impl Fn(bool) -> bool) -> Option<Cuts> {
         let mut cuts = Cuts::default();
         if a == b {
-            return cuts;
+            return Some(cuts);
         }
-        let _ = self.grid.along(a, b, |cell| {
+        let way = b - a;
+        let stopped = self.grid.along(a, b, |cell| {
             for &index in self.grid.walls_of(cell) {
                 let (u, v) = self.walls[index as usize].ends();
+                if one_side(way, u - a, v - a) {
+                    continue;
+                }
                 let (side_u, side_v) = (orient(a, b, u), orient(a, b, v));
                 if side_u == 0.0 && side_v == 0.0 {
-                    let along = (b - a) / (b - a).length_squared();
+                    let along = way / way.length_squared();
                     let (t, s) = ((u - a).dot(along).clamp(0.0, 1.0), (v - a).dot(along).clamp(0.0, 1.0));
                     if t != s {
                         cuts.runs.push((t.min(s), t.max(s)));
@@ -132,16 +124,22 @@ impl Map {
                     let (side_a, side_b) = (orient(u, v, a), orient(u, v, b));
                     let apart = (side_a <= 0.0 && side_b >= 0.0) || (side_a >= 0.0 && side_b <= 0.0);
                     if apart {
+                        if stop(opposite(side_u, side_v) && opposite(side_a, side_b)) {
+                            return ControlFlow::Break(());
+                        }
                         cuts.crossings.push((side_a / (side_a - side_b), index));
                     }
                 }
             }
             ControlFlow::Continue(())
         });
+        if stopped.is_break() {
+            return None;
+        }
         cuts.crossings.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
         cuts.crossings.dedup();
         cuts.runs.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.total_cmp(&q.1)));
-        cuts
+        Some(cuts)
     }
 
     /// Whether `a b`, moved a hair to its left, starts in rock. Read off whichever end is clear of walls; if both
@@ -232,6 +230,18 @@ fn rock_by_ray(p: DVec2, walls: impl Iterator<Item = (DVec2, DVec2)>) -> Option<
         }
     }
     Some(rock)
+}
+
+/// Whether two points, seen from the start of a way, surely lie on the same side of it. Most walls near a line do, and
+/// this costs a fraction of the exact signs. Twice what rounding can make of the products is asked for.
+fn one_side(way: DVec2, u: DVec2, v: DVec2) -> bool {
+    let sure = |p: DVec2| {
+        let (left, right) = (way.x * p.y, way.y * p.x);
+        let side = left - right;
+        (side, side.abs() > 8.0 * f64::EPSILON * (left.abs() + right.abs()))
+    };
+    let ((u, u_sure), (v, v_sure)) = (sure(u), sure(v));
+    u_sure && v_sure && (u > 0.0) == (v > 0.0)
 }
 
 /// Calls `stretch` with the parts of `from..to` that no run covers. `runs` are sorted.
