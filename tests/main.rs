@@ -1,5 +1,7 @@
 //! The one integration binary: claims of the whole, a file each.
 
+/// A tick asks for no memory.
+mod allocation;
 /// Every promise of a law holds in the world it flies in.
 mod centering;
 /// Same seed, same bits.

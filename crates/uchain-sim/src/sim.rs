@@ -67,8 +67,17 @@ impl<'a> Sim<'a> {
             tick: 0,
             seen: vec![Observation::default(); robots.len()],
             asked: vec![Command::default(); robots.len()],
-            frame: Frame::default(),
+            frame: Frame {
+                uavs: Vec::with_capacity(robots.len()),
+                links: Vec::with_capacity(robots.len()),
+                ..Frame::default()
+            },
         }
+    }
+
+    /// All UAVs and the walls around them.
+    pub fn world(&self) -> &World<'a> {
+        &self.world
     }
 
     /// One tick.

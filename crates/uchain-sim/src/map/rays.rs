@@ -69,7 +69,10 @@ impl Map {
             return false;
         }
         let (a, b) = (a.as_dvec2(), b.as_dvec2());
-        let Some(cuts) = self.cuts_unless(a, b, |clean| clean) else { return false };
+        let mut cuts = Cuts::default();
+        if self.cut(a, b, &mut cuts, |clean| clean).is_break() {
+            return false;
+        }
         let length_m = a.distance(b);
         let mut clear = true;
         self.each_stretch(a, b, &cuts, |from, to| {
@@ -82,9 +85,9 @@ impl Map {
 
     /// Calls `stretch` with the ends of each part of `a b` in rock, as fractions of the length, in order.
     fn each_rock_stretch(&self, a: DVec2, b: DVec2, stretch: impl FnMut(f64, f64)) {
-        if let Some(cuts) = self.cuts_unless(a, b, |_| false) {
-            self.each_stretch(a, b, &cuts, stretch);
-        }
+        let mut cuts = Cuts::default();
+        let _ = self.cut(a, b, &mut cuts, |_| false);
+        self.each_stretch(a, b, &cuts, stretch);
     }
 
     fn each_stretch(&self, a: DVec2, b: DVec2, cuts: &Cuts, mut stretch: impl FnMut(f64, f64)) {
@@ -99,23 +102,18 @@ impl Map {
         }
     }
 
-    /// Where `a b` meets walls; `None` as soon as `stop` says so of a wall it crosses, told whether it passes clean
-    /// through.
-    fn cuts_unless(&self, a: DVec2, b: DVec2, stop: impl Fn(bool) -> bool) -> Option<Cuts> {
-        let mut cuts = Cuts::default();
+    /// Finds where `a b` meets walls. Breaks off when `stop` says so of a wall it crosses, told whether it passes
+    /// clean through.
+    fn cut(&self, a: DVec2, b: DVec2, cuts: &mut Cuts, stop: impl Fn(bool) -> bool) -> ControlFlow<()> {
         if a == b {
-            return Some(cuts);
+            return ControlFlow::Continue(());
         }
-        let way = b - a;
-        let stopped = self.grid.along(a, b, |cell| {
+        self.grid.along(a, b, |cell| {
             for &index in self.grid.walls_of(cell) {
                 let (u, v) = self.walls[index as usize].ends();
-                if one_side(way, u - a, v - a) {
-                    continue;
-                }
                 let (side_u, side_v) = (orient(a, b, u), orient(a, b, v));
                 if side_u == 0.0 && side_v == 0.0 {
-                    let along = way / way.length_squared();
+                    let along = (b - a) / (b - a).length_squared();
                     let (t, s) = ((u - a).dot(along).clamp(0.0, 1.0), (v - a).dot(along).clamp(0.0, 1.0));
                     if t != s {
                         cuts.runs.push((t.min(s), t.max(s)));
@@ -132,14 +130,11 @@ impl Map {
                 }
             }
             ControlFlow::Continue(())
-        });
-        if stopped.is_break() {
-            return None;
-        }
+        })?;
         cuts.crossings.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
         cuts.crossings.dedup();
         cuts.runs.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.total_cmp(&q.1)));
-        Some(cuts)
+        ControlFlow::Continue(())
     }
 
     /// Whether `a b`, moved a hair to its left, starts in rock. Read off whichever end is clear of walls; if both
@@ -230,18 +225,6 @@ fn rock_by_ray(p: DVec2, walls: impl Iterator<Item = (DVec2, DVec2)>) -> Option<
         }
     }
     Some(rock)
-}
-
-/// Whether two points, seen from the start of a way, surely lie on the same side of it. Most walls near a line do, and
-/// this costs a fraction of the exact signs. Twice what rounding can make of the products is asked for.
-fn one_side(way: DVec2, u: DVec2, v: DVec2) -> bool {
-    let sure = |p: DVec2| {
-        let (left, right) = (way.x * p.y, way.y * p.x);
-        let side = left - right;
-        (side, side.abs() > 8.0 * f64::EPSILON * (left.abs() + right.abs()))
-    };
-    let ((u, u_sure), (v, v_sure)) = (sure(u), sure(v));
-    u_sure && v_sure && (u > 0.0) == (v > 0.0)
 }
 
 /// Calls `stretch` with the parts of `from..to` that no run covers. `runs` are sorted.

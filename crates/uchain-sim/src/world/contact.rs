@@ -24,6 +24,7 @@ pub(super) struct Contacts {
     /// Pairs that touch, ascending, lower index first.
     touching: Vec<(u32, u32)>,
     still_touching: Vec<(u32, u32)>,
+    steps: u64,
 }
 
 impl core::fmt::Debug for Contacts {
@@ -66,6 +67,7 @@ impl Contacts {
             on_wall: vec![false; count],
             touching: Vec::with_capacity(count),
             still_touching: Vec::with_capacity(count),
+            steps: 0,
         }
     }
 
@@ -89,6 +91,11 @@ impl Contacts {
         self.count_uavs(bodies);
     }
 
+    /// Ticks in which rapier had anything to do.
+    pub(super) fn steps(&self) -> u64 {
+        self.steps
+    }
+
     /// Takes those out of rapier who are near nothing any more.
     fn take_out(&mut self) {
         for &uav in self.gate.near_before().iter().filter(|uav| !self.gate.is_near(**uav as usize)) {
@@ -109,6 +116,7 @@ impl Contacts {
             }
         }
         self.physics.step();
+        self.steps += 1;
         for uav in 0..self.gate.near().len() {
             let uav = self.gate.near()[uav] as usize;
             if let Some(rigid) = self.physics.bodies.get(self.handles[uav]) {

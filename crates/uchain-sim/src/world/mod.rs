@@ -65,6 +65,11 @@ impl<'a> World<'a> {
         self.params.radius_m
     }
 
+    /// Ticks so far in which somebody was near something, so that rapier stepped.
+    pub fn solver_steps(&self) -> u64 {
+        self.contacts.steps()
+    }
+
     /// Calls `visit` with the place of every other UAV in the air that is nearer than `reach_m` to this one (m).
     pub fn others_near(&self, uav: usize, reach_m: f32, mut visit: impl FnMut(Vec2)) {
         let Some(body) = self.bodies.get(uav) else { return };
