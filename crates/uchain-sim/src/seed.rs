@@ -50,11 +50,29 @@ impl Stream {
         (self.0.next_u32() >> 8) as f32 * (1.0 / 16_777_216.0)
     }
 
-    /// Standard normal by Box and Muller on `libm`: always two draws, whatever they are.
+    /// A standard normal number.
     pub fn normal(&mut self) -> f32 {
+        self.draw_normal().value()
+    }
+
+    /// A standard normal number, drawn now and worked out when it is wanted: noise on what turns out unseen costs
+    /// little. Always two draws, whatever they are.
+    pub fn draw_normal(&mut self) -> Normal {
+        Normal([self.uniform(), self.uniform()])
+    }
+}
+
+/// A standard normal number that has been drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Normal([f32; 2]);
+
+impl Normal {
+    /// By Box and Muller, on `libm`.
+    pub fn value(self) -> f32 {
+        let [u, v] = self.0;
         // 1 − u lies in (0, 1]: its logarithm is finite.
-        let radius = (-2.0 * libm::logf(1.0 - self.uniform())).sqrt();
-        radius * libm::cosf(core::f32::consts::TAU * self.uniform())
+        let radius = (-2.0 * libm::logf(1.0 - u)).sqrt();
+        radius * libm::cosf(core::f32::consts::TAU * v)
     }
 }
 

@@ -104,20 +104,17 @@ impl Crowd {
         row * self.cols + col
     }
 
-    /// Calls `visit` with every UAV nearer than `reach_m` to `at`, whoever stands right there included, and its
-    /// place (m).
-    pub(super) fn near(&self, at: Vec2, reach_m: f32, mut visit: impl FnMut(usize, Vec2)) {
+    /// Every UAV nearer than `reach_m` to `at`, whoever stands right there included, and its place (m).
+    pub(super) fn near(&self, at: Vec2, reach_m: f32) -> impl Iterator<Item = (usize, Vec2)> {
         let (left, bottom) = self.column_and_row(at - reach_m);
         let (right, top) = self.column_and_row(at + reach_m);
-        for row in bottom..=top {
+        (bottom..=top).flat_map(move |row| {
             let from = self.starts[row * self.cols + left] as usize;
             let to = self.starts[row * self.cols + right + 1] as usize;
-            for (uav, place) in self.uavs[from..to].iter().zip(&self.at[from..to]) {
-                if place.distance_squared(at) < reach_m * reach_m {
-                    visit(*uav as usize, *place);
-                }
-            }
-        }
+            let near = move |place: Vec2| place.distance_squared(at) < reach_m * reach_m;
+            let here = self.uavs[from..to].iter().zip(&self.at[from..to]);
+            here.filter_map(move |(uav, place)| near(*place).then_some((*uav as usize, *place)))
+        })
     }
 }
 
@@ -152,8 +149,7 @@ mod tests {
             assert!(crowd.cols * crowd.rows <= CELLS_PER_UAV * count);
             for reach_m in [0.2, 0.5, 3.0, 1e9] {
                 let at = Vec2::new(random.uniform() - 0.7, random.uniform() - 0.2) * spread_m * 1.2;
-                let mut found = Vec::new();
-                crowd.near(at, reach_m, |uav, place| found.push((uav, place)));
+                let mut found: Vec<(usize, Vec2)> = crowd.near(at, reach_m).collect();
                 found.sort_by_key(|(uav, _)| *uav);
                 let near = |body: &Body| body.airborne && body.at.distance_squared(at) < reach_m * reach_m;
                 let expected: Vec<(usize, Vec2)> =
@@ -168,8 +164,8 @@ mod tests {
         let bodies = vec![body(Vec2::ZERO, true); 40];
         let crowd = crowd_of(&bodies, 1.0);
         for at in [Vec2::NAN, Vec2::INFINITY, Vec2::NEG_INFINITY] {
-            crowd.near(at, 1.0, |uav, _| panic!("UAV {uav} is near {at}"));
+            assert_eq!(crowd.near(at, 1.0).next(), None, "near {at}");
         }
-        crowd_of(&[], 1.0).near(Vec2::ZERO, 1.0, |uav, _| panic!("UAV {uav}"));
+        assert_eq!(crowd_of(&[], 1.0).near(Vec2::ZERO, 1.0).next(), None);
     }
 }

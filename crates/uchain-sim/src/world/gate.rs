@@ -111,10 +111,7 @@ impl Gate {
         }
         let mut roam_m = (wall_gap_m - ROUNDING_M).clamp(0.0, ROAM_MAX_M);
         let reach_m = 2.0 * radius_m + SLACK_M + ROAM_MAX_M + stride_i_m.max(ROAM_MAX_M);
-        crowd.near(body.at, reach_m, |j, at| {
-            if j == i {
-                return;
-            }
+        for (j, at) in crowd.near(body.at, reach_m).filter(|(j, _)| *j != i) {
             let gap_m = at.distance(body.at) - 2.0 * radius_m - SLACK_M;
             if gap_m < stride_i_m + stride_m(&bodies[j]) {
                 self.mark(i);
@@ -125,7 +122,7 @@ impl Gate {
             let gap_m = (gap_m - ROUNDING_M).max(0.0);
             self.roam_m[j] = self.roam_m[j].min(0.5 * gap_m);
             roam_m = roam_m.min(gap_m - self.roam_m[j]);
-        });
+        }
         self.roam_m[i] = roam_m;
     }
 

@@ -70,14 +70,10 @@ impl<'a> World<'a> {
         self.contacts.steps()
     }
 
-    /// Calls `visit` with the place of every other UAV in the air that is nearer than `reach_m` to this one (m).
-    pub fn others_near(&self, uav: usize, reach_m: f32, mut visit: impl FnMut(Vec2)) {
-        let Some(body) = self.bodies.get(uav) else { return };
-        self.crowd.near(body.at, reach_m, |other, at| {
-            if other != uav {
-                visit(at);
-            }
-        });
+    /// The places of all other UAVs in the air that are nearer than `reach_m` to this one (m).
+    pub fn others_near(&self, uav: usize, reach_m: f32) -> impl Iterator<Item = Vec2> {
+        let near = self.bodies.get(uav).map(|body| self.crowd.near(body.at, reach_m));
+        near.into_iter().flatten().filter_map(move |(other, at)| (other != uav).then_some(at))
     }
 
     /// Turns each command into the body's velocity for the coming tick.
