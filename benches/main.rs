@@ -4,6 +4,8 @@
 
 mod count;
 mod laws;
+mod maps;
+mod rays;
 mod run;
 mod w1;
 
@@ -16,6 +18,7 @@ fn main() -> ExitCode {
     }
     let mut criterion = criterion::Criterion::default().configure_from_args();
     laws::all(&mut criterion);
+    rays::all(&mut criterion);
     w1::all(&mut criterion);
     run::all(&mut criterion);
     criterion.final_summary();

@@ -10,7 +10,7 @@ use uchain_core::{
 use uchain_sim::{
     map::{CentreLine, Map, Vertex, corridor},
     seed::{Seed, Source, Stream},
-    sense::{ParryRays, TofNoise, TofParams, read_tof},
+    sense::{GridRays, TofBeams, TofNoise, TofParams, read_tof},
     world::{MotionParams, World},
 };
 
@@ -81,8 +81,9 @@ fn fly(pass: &Pass) -> End {
     let heading_rad = tangent_rad + pass.askew_rad + if pass.backward { PI } else { 0.0 };
     let spawn = (start + along.perp() * pass.offset_m, heading_rad);
     let mut world = World::new(&map, MotionParams::default(), [spawn].into_iter());
-    let (rays, tof) = (ParryRays::new(&map), TofParams::default());
-    let mut noise = TofNoise::new(Seed(pass.seed).stream(0, Source::Tof), tof.clone());
+    let tof = TofParams::default();
+    let (rays, beams) = (GridRays::new(&map, tof.range_m), TofBeams::new(&tof));
+    let mut noise = TofNoise::new(Seed(pass.seed).stream(0, Source::Tof), tof);
     let mut node = Node::new(Role::Head, NodeParams::default());
     let speed_mps = if pass.backward { -pass.speed_mps } else { pass.speed_mps };
     let pilot = Pilot { speed_mps, ..Pilot::default() };
@@ -95,7 +96,7 @@ fn fly(pass: &Pass) -> End {
     for tick in 0..patience_ticks {
         let mut seen = Observation { pilot: Some(pilot), ..Observation::default() };
         if tick % 2 == 0 {
-            seen.tof = Some(noise.apply(read_tof(&rays, &world, 0, &tof)));
+            seen.tof = Some(noise.apply(read_tof(&rays, &world, 0, &beams)));
         }
         if tick % 4 == 0 {
             seen.radio = Some(RadioSlot { back: Some(good), front: None });

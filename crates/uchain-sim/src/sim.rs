@@ -8,7 +8,7 @@ use crate::{
     mission::ChainMission,
     record::{Frame, RecordError, Recorder, TICK_S, TICKS_PER_S, UavFrame},
     seed::{Seed, Source},
-    sense::{FlowNoise, ParryRays, TofNoise, TofParams, read_tof},
+    sense::{FlowNoise, GridRays, TofBeams, TofNoise, read_tof},
     world::World,
 };
 
@@ -17,7 +17,7 @@ use crate::{
 pub struct Sim<'a> {
     world: World<'a>,
     mission: ChainMission<'a>,
-    senses: Senses,
+    senses: Senses<'a>,
     from_base: &'a Geodesic,
     trail: Trail,
     decision_ticks: u64,
@@ -29,9 +29,9 @@ pub struct Sim<'a> {
 
 /// The sensors of all UAVs.
 #[derive(Debug)]
-struct Senses {
-    rays: ParryRays,
-    tof: TofParams,
+struct Senses<'a> {
+    rays: &'a GridRays,
+    beams: TofBeams,
     tof_ticks: u64,
     tof_noise: Vec<TofNoise>,
     flow: Vec<FlowNoise>,
@@ -50,8 +50,8 @@ impl<'a> Sim<'a> {
         let tof = |i| TofNoise::new(seed.stream(i, Source::Tof), scenario.tof.clone());
         let flow = |i| FlowNoise::new(seed.stream(i, Source::Flow), scenario.flow.clone());
         let senses = Senses {
-            rays: ParryRays::new(&course.map),
-            tof: scenario.tof.clone(),
+            rays: &course.rays,
+            beams: TofBeams::new(&scenario.tof),
             tof_ticks: ticks(scenario.tof.period_s),
             tof_noise: robots.clone().map(tof).collect(),
             flow: robots.clone().map(flow).collect(),
@@ -103,7 +103,7 @@ impl<'a> Sim<'a> {
             let seen = &mut self.seen[i];
             *seen = Observation { pilot: (i == 0).then_some(pilot), ..Observation::default() };
             if ranging && body.airborne {
-                let exact = read_tof(&self.senses.rays, &self.world, i, &self.senses.tof);
+                let exact = read_tof(self.senses.rays, &self.world, i, &self.senses.beams);
                 seen.tof = Some(self.senses.tof_noise[i].apply(exact));
             }
             if decision && body.airborne {

@@ -9,6 +9,7 @@ use crate::{
     analyse::optimum::Chart,
     map::{CentreLine, Geodesic, Map, MapError, Tunnel, Vertex, corridor, read_ros},
     radio::{Antenna, PathLoss},
+    sense::GridRays,
 };
 
 /// Where a UAV waits, in the map's frame.
@@ -38,6 +39,8 @@ pub struct Course {
     pub spawns: Vec<Spawn>,
     /// Radio without noise.
     pub path_loss: PathLoss,
+    /// Distances to the walls, as the ToF sensors measure them.
+    pub rays: GridRays,
     /// Drawn by the first [`Course::yardstick`], shared by all runs.
     pub(crate) chart: OnceLock<Chart>,
 }
@@ -111,7 +114,8 @@ impl Course {
             }
             spawns.push(Spawn { at, heading_rad });
         }
-        Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, chart: OnceLock::new() })
+        let rays = GridRays::new(&map, scenario.tof.range_m);
+        Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, rays, chart: OnceLock::new() })
     }
 
     /// How deep in the tunnel a place lies (m), negative behind the base; `None` where the tunnel's middle is not

@@ -1,7 +1,9 @@
 //! Senses: the world in, readings out. Noise is a wrapper around the exact reading.
 
 mod flow;
+mod rays;
 mod tof;
 
 pub use flow::{FlowNoise, FlowParams};
-pub use tof::{ParryRays, Rays, TofNoise, TofParams, read_tof};
+pub use rays::{GridRays, ParryRays, Rays};
+pub use tof::{TofBeams, TofNoise, TofParams, read_tof};

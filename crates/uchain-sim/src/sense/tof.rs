@@ -3,13 +3,13 @@
 use core::f32::consts::FRAC_PI_4;
 
 use glam::Vec2;
-use parry2d::{
-    query::{Ray, RayCast},
-    shape::Polyline,
-};
 use uchain_core::chain::Tof;
 
-use crate::{map::Map, seed::Stream, world::World};
+use super::rays::Rays;
+use crate::{
+    seed::Stream,
+    world::World,
+};
 
 uchain_core::params! {
     /// ToF sensor, VL53L1x by default (Laclau 2021, §6.2).
@@ -31,79 +31,72 @@ uchain_core::params! {
     }
 }
 
-/// Distances along rays to walls.
-pub trait Rays {
-    /// Distance to the first wall (m), at most `range_m`.
-    fn cast(&self, from: Vec2, direction: Vec2, range_m: f32) -> f32;
+/// The beams of a UAV's four sensors in its own frame, worked out once.
+///
+/// NW looks the opposite way of SE and NE that of SW, ray by ray: two lines hold four rays.
+#[derive(Debug, Clone)]
+pub struct TofBeams {
+    range_m: f32,
+    /// Unit vectors: a ray of NW, which SE looks against, and one of NE, which SW looks against.
+    lines: Vec<[Vec2; 2]>,
 }
 
-/// Rays by parry's bounding-volume tree.
-#[derive(Debug)]
-pub struct ParryRays {
-    walls: Option<Polyline>,
-}
-
-impl ParryRays {
-    /// Rays in the walls of a map.
-    pub fn new(map: &Map) -> Self {
-        let corners: Vec<Vec2> = map.walls().iter().flat_map(|wall| [wall.a, wall.b]).collect();
-        let edges: Vec<[u32; 2]> = (0..map.walls().len() as u32).map(|i| [2 * i, 2 * i + 1]).collect();
-        Self { walls: (!edges.is_empty()).then(|| Polyline::new(corners, Some(edges))) }
+impl TofBeams {
+    /// The beams of sensors with these parameters.
+    pub fn new(params: &TofParams) -> Self {
+        let line = |mount_rad: f32, k: u32| {
+            let share = if params.rays == 1 { 0.0 } else { k as f32 / (params.rays - 1) as f32 - 0.5 };
+            let (sin, cos) = libm::sincosf(mount_rad + share * params.field_of_view_rad);
+            Vec2::new(cos, sin)
+        };
+        let lines = (0..params.rays).map(|k| [line(FRAC_PI_4, k), line(-FRAC_PI_4, k)]).collect();
+        Self { range_m: params.range_m, lines }
     }
-}
 
-impl Rays for ParryRays {
-    fn cast(&self, from: Vec2, direction: Vec2, range_m: f32) -> f32 {
-        self.walls
-            .as_ref()
-            .and_then(|walls| walls.cast_local_ray(&Ray::new(from, direction), range_m, true))
-            .unwrap_or(range_m)
+    /// How near the centre of a disc of this radius must be to be seen at all (m).
+    pub fn reach_m(&self, radius_m: f32) -> f32 {
+        self.range_m + radius_m
+    }
+
+    /// Exact distances to walls and to discs of one radius, from a place and a unit vector of the body's x axis.
+    pub fn read(
+        &self,
+        rays: &impl Rays,
+        from: Vec2,
+        forward: Vec2,
+        discs: impl Iterator<Item = Vec2>,
+        radius_m: f32,
+    ) -> Tof {
+        let lines = self.lines.iter().map(|pair| pair.map(|line| line.rotate(forward)));
+        let mut nearest_m = rays.fan(from, lines.clone(), self.range_m);
+        for disc in discs {
+            for pair in lines.clone() {
+                for (nearest_m, line) in nearest_m.iter_mut().zip(pair) {
+                    meet_disc(disc - from, radius_m, line, nearest_m);
+                }
+            }
+        }
+        let [[nw_m, se_m], [ne_m, sw_m]] = nearest_m;
+        Tof { nw_m, ne_m, sw_m, se_m }
     }
 }
 
 /// Exact distances of one UAV: walls and the other UAVs in the air.
-pub fn read_tof(rays: &impl Rays, world: &World<'_>, uav: usize, params: &TofParams) -> Tof {
-    let bodies = world.bodies();
-    let body = &bodies[uav];
-    let reach_m = params.range_m + world.radius_m();
-    let in_the_way = |(i, other): (usize, &crate::world::Body)| {
-        let near = other.at.distance_squared(body.at) < reach_m * reach_m;
-        (i != uav && other.airborne && near).then_some(other.at)
-    };
-    // Mostly none: an empty list costs no allocation.
-    let others: Vec<Vec2> = bodies.iter().enumerate().filter_map(in_the_way).collect();
-    let forward = body.forward();
-    let sensor = |mount_rad: f32| {
-        let mut nearest_m = params.range_m;
-        for k in 0..params.rays {
-            let share = if params.rays == 1 { 0.0 } else { k as f32 / (params.rays - 1) as f32 - 0.5 };
-            let (sin, cos) = libm::sincosf(mount_rad + share * params.field_of_view_rad);
-            let direction = forward * cos + forward.perp() * sin;
-            nearest_m = nearest_m.min(rays.cast(body.at, direction, nearest_m));
-            for &other in &others {
-                nearest_m = nearest_m.min(disc_hit(body.at, direction, other, world.radius_m()));
-            }
-        }
-        nearest_m
-    };
-    Tof {
-        nw_m: sensor(FRAC_PI_4),
-        ne_m: sensor(-FRAC_PI_4),
-        sw_m: sensor(3.0 * FRAC_PI_4),
-        se_m: sensor(-3.0 * FRAC_PI_4),
-    }
+pub fn read_tof(rays: &impl Rays, world: &World<'_>, uav: usize, beams: &TofBeams) -> Tof {
+    let body = &world.bodies()[uav];
+    let others = world.others_near(uav, beams.reach_m(world.radius_m()));
+    beams.read(rays, body.at, body.forward(), others, world.radius_m())
 }
 
-/// Distance along a ray of unit direction to a disc; infinity without a hit.
-fn disc_hit(from: Vec2, direction: Vec2, centre: Vec2, radius_m: f32) -> f32 {
-    let to = centre - from;
-    let along = to.dot(direction);
-    let aside_sq = to.length_squared() - along * along;
-    let half_chord_sq = radius_m * radius_m - aside_sq;
-    if half_chord_sq < 0.0 || along < 0.0 {
-        return f32::INFINITY;
+/// Takes up where a line of unit direction meets a disc `to` away, ahead or behind. From within the disc that is at 0.
+fn meet_disc(to: Vec2, radius_m: f32, line: Vec2, [ahead_m, behind_m]: &mut [f32; 2]) {
+    let (along_m, aside_m) = (line.dot(to), line.perp_dot(to));
+    let half_chord_sq = radius_m * radius_m - aside_m * aside_m;
+    if half_chord_sq >= 0.0 {
+        let meets_m = (along_m.abs() - half_chord_sq.sqrt()).max(0.0);
+        let nearest_m = if along_m >= 0.0 { ahead_m } else { behind_m };
+        *nearest_m = nearest_m.min(meets_m);
     }
-    (along - half_chord_sq.sqrt()).max(0.0)
 }
 
 /// Measured instead of exact distances.
@@ -123,11 +116,11 @@ impl TofNoise {
     pub fn apply(&mut self, exact: Tof) -> Tof {
         let mut measure = |exact_m: f32| {
             // Drawn in any case, so that what is seen moves nobody's draws.
-            let (noise, dropout) = (self.stream.normal(), self.stream.uniform());
+            let (noise, dropout) = (self.stream.draw_normal(), self.stream.uniform());
             if dropout < self.params.dropout || exact_m >= self.params.range_m {
                 return self.params.range_m;
             }
-            (exact_m + self.params.noise_m * noise).clamp(0.0, self.params.range_m)
+            (exact_m + self.params.noise_m * noise.value()).clamp(0.0, self.params.range_m)
         };
         Tof {
             nw_m: measure(exact.nw_m),

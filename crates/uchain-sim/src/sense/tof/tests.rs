@@ -1,7 +1,8 @@
 use super::*;
 use crate::{
-    map::{Vertex, corridor},
+    map::{Map, Vertex, corridor},
     seed::{Seed, Source},
+    sense::GridRays,
     world::MotionParams,
 };
 
@@ -16,7 +17,8 @@ fn read(map: &Map, places: &[(Vec2, f32)], airborne: bool) -> Tof {
     let mut asked = vec![uchain_core::chain::Command { airborne, ..Default::default() }; places.len()];
     asked[0].airborne = true;
     world.act(&asked);
-    read_tof(&ParryRays::new(map), &world, 0, &TofParams::default())
+    let params = TofParams::default();
+    read_tof(&GridRays::new(map, params.range_m), &world, 0, &TofBeams::new(&params))
 }
 
 fn assert_near(got: Tof, [nw, ne, sw, se]: [f32; 4]) {
