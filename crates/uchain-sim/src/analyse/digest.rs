@@ -8,41 +8,42 @@ use crate::record::{Frame, RecordError, Recorder};
 
 /// `XxHash64` over every field of every frame, in order.
 #[derive(Debug)]
-pub struct Digest(XxHash64);
+pub struct Digest {
+    hash: XxHash64,
+    /// One frame's bytes: the hash takes its time over every call, however small.
+    bytes: Vec<u8>,
+}
 
 impl Default for Digest {
     fn default() -> Self {
-        Self(XxHash64::with_seed(0))
+        Self { hash: XxHash64::with_seed(0), bytes: Vec::new() }
     }
 }
 
 impl Digest {
     /// What has been seen so far, as 16 hex digits.
     pub fn hex(&self) -> String {
-        format!("{:016x}", self.0.finish())
+        format!("{:016x}", self.hash.finish())
     }
 
     fn number(&mut self, value: f32) {
-        self.0.write(&value.to_bits().to_le_bytes());
+        self.bytes.extend_from_slice(&value.to_bits().to_le_bytes());
     }
 }
 
 impl Recorder for Digest {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
-        self.0.write(&frame.tick.to_le_bytes());
+        self.bytes.clear();
+        self.bytes.extend_from_slice(&frame.tick.to_le_bytes());
         for uav in &frame.uavs {
-            // In one piece: the hash takes its time over every call.
-            let mut bytes = [0; 33];
-            let (numbers, rest) = bytes.split_at_mut(24);
-            let values =
-                [uav.x_m, uav.y_m, uav.heading_rad, uav.forward_mps, uav.lateral_mps, uav.yaw_rate_radps];
-            for (place, value) in numbers.chunks_exact_mut(4).zip(values) {
-                place.copy_from_slice(&value.to_bits().to_le_bytes());
+            for value in
+                [uav.x_m, uav.y_m, uav.heading_rad, uav.forward_mps, uav.lateral_mps, uav.yaw_rate_radps]
+            {
+                self.number(value);
             }
-            rest[0] = u8::from(uav.airborne);
-            rest[1..5].copy_from_slice(&uav.wall_contacts.to_le_bytes());
-            rest[5..].copy_from_slice(&uav.uav_contacts.to_le_bytes());
-            self.0.write(&bytes);
+            self.bytes.push(u8::from(uav.airborne));
+            self.bytes.extend_from_slice(&uav.wall_contacts.to_le_bytes());
+            self.bytes.extend_from_slice(&uav.uav_contacts.to_le_bytes());
         }
         if frame.decision {
             for link in &frame.links {
@@ -51,6 +52,7 @@ impl Recorder for Digest {
             }
             self.number(frame.head_reach_m);
         }
+        self.hash.write(&self.bytes);
         Ok(())
     }
 }

@@ -108,8 +108,11 @@ impl Map {
         if a == b {
             return ControlFlow::Continue(());
         }
+        // A long wall is listed by many cells in a row: once looked at is enough.
+        let mut looked_at: &[u32] = &[];
         self.grid.along(a, b, |cell| {
-            for &index in self.grid.walls_of(cell) {
+            let walls = self.grid.walls_of(cell);
+            for &index in walls.iter().filter(|index| !looked_at.contains(index)) {
                 let (u, v) = self.walls[index as usize].ends();
                 let (side_u, side_v) = (orient(a, b, u), orient(a, b, v));
                 if side_u == 0.0 && side_v == 0.0 {
@@ -129,6 +132,7 @@ impl Map {
                     }
                 }
             }
+            looked_at = walls;
             ControlFlow::Continue(())
         })?;
         cuts.crossings.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));

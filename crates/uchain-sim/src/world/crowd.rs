@@ -47,9 +47,14 @@ impl Crowd {
         self.uavs.clear();
         self.at.clear();
         self.starts.clear();
-        let low = flying().fold(Vec2::INFINITY, |low, (_, body)| low.min(body.at));
-        let high = flying().fold(Vec2::NEG_INFINITY, |high, (_, body)| high.max(body.at));
-        if count <= ONE_CELL || !(high - low).is_finite() {
+        let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        if count > ONE_CELL {
+            for (_, body) in flying() {
+                (low, high) = (low.min(body.at), high.max(body.at));
+            }
+        }
+        // Infinite for few, and where somebody is nowhere.
+        if !(high - low).is_finite() {
             (self.low, self.cells_per_m, self.cols, self.rows) = (Vec2::ZERO, 0.0, 1, 1);
             self.uavs.extend(flying().map(|(i, _)| i as u32));
             self.at.extend(flying().map(|(_, body)| body.at));
