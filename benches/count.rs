@@ -1,10 +1,14 @@
 //! Workloads that callgrind counts, one a process: `count NAME`; `count` alone says where this program is.
 
-use std::{hint::black_box, process::ExitCode};
+use std::{hint::black_box, iter, process::ExitCode};
 
-use uchain_sim::run::run;
+use uchain_sim::{
+    run::run,
+    sense::{GridRays, TofBeams, TofParams},
+};
 
 use crate::{
+    maps::{corridor, poses},
     run::circuit,
     w1::{Seen, ours::Ours, ring},
 };
@@ -21,6 +25,17 @@ pub(crate) fn count(name: Option<&str>) -> ExitCode {
             return std::env::current_exe().map_or(ExitCode::FAILURE, |path| {
                 println!("{}", path.display());
                 ExitCode::SUCCESS
+            });
+        }
+        Some("rays") => {
+            let map = corridor(400);
+            let poses = poses(&map, 1 << 12);
+            let tof = TofParams::default();
+            let (rays, beams) = (GridRays::new(&map, tof.range_m), TofBeams::new(&tof));
+            measured(|| {
+                for &(from, forward) in &poses {
+                    black_box(beams.read(&rays, from, forward, iter::empty(), 0.0));
+                }
             });
         }
         Some("w1") => {

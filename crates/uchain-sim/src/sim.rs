@@ -106,7 +106,7 @@ impl<'a> Sim<'a> {
                 let exact = read_tof(self.senses.rays, &self.world, i, &self.senses.beams);
                 seen.tof = Some(self.senses.tof_noise[i].apply(exact));
             }
-            if decision && body.airborne {
+            if decision {
                 seen.ground_speed_mps = self.senses.flow[i].read(body);
             }
         }

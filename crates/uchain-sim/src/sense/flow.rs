@@ -25,8 +25,10 @@ impl FlowNoise {
         Self { stream, params }
     }
 
-    /// Forward ground speed of a body as measured (m/s).
+    /// Forward ground speed of a body as measured (m/s); 0 on the ground, where nobody asks.
     pub fn read(&mut self, body: &Body) -> f32 {
-        body.forward_mps() + self.params.noise_mps * self.stream.normal()
+        // Drawn in any case, so that the time of a take-off moves nobody's draws.
+        let noise = self.stream.draw_normal();
+        if body.airborne { body.forward_mps() + self.params.noise_mps * noise.value() } else { 0.0 }
     }
 }

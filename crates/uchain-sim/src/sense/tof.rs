@@ -6,10 +6,7 @@ use glam::Vec2;
 use uchain_core::chain::Tof;
 
 use super::rays::Rays;
-use crate::{
-    seed::Stream,
-    world::World,
-};
+use crate::{seed::Stream, world::World};
 
 uchain_core::params! {
     /// ToF sensor, VL53L1x by default (Laclau 2021, §6.2).

@@ -71,7 +71,7 @@ impl Seen {
         let (tp, tq) = (x * self.px + y * self.py, x * self.qx + y * self.qy);
         let passed = sp.fast_min(sq).simd_gt(f32x4::ZERO) | sp.fast_max(sq).simd_lt(f32x4::ZERO);
         // A mask of ones is a NaN.
-        (tp * sq - tq * sp) / (sq - sp) | passed
+        ((tp * sq - tq * sp) / (sq - sp)) | passed
     }
 
     /// Takes up the distance ahead.

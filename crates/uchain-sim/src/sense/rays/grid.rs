@@ -9,12 +9,14 @@ use super::{
 };
 use crate::map::Map;
 
-/// Lists of more walls than this on average are worth making shorter.
-const LONG_LIST: f32 = 16.0;
+/// Walls that a list may hold on average (1) where one list answers a whole ray …
+const LONG_LIST: f32 = 20.0;
+/// … and where a ray goes on from list to list. Both measured: somewhat more or less costs little.
+const LONG_LISTS: f32 = 10.0;
 /// Memory for the lists: this much (bytes) …
 const BASE_BYTES: usize = 1 << 20;
 /// … and this much for each wall (bytes).
-const WALL_BYTES: usize = 256;
+const WALL_BYTES: usize = 192;
 /// How far rounding can carry a hit off its wall and a point off its cell, over the largest number in the sum; twice
 /// what it comes to.
 const ROUNDING: f32 = 2e-6;
@@ -27,7 +29,7 @@ const UNIT: f32 = 1e-3;
 /// Every distance is that of one and the same test ([`batch`](super::batch)), so that it does not depend on the lists
 /// to the bit, nor on the processor. It is within a few millionths of the numbers it is made of: 10 µm at 30 m.
 ///
-/// It never changes once built: all runs share one. It takes at most 256 bytes a wall and 1 MiB, however far the walls
+/// It never changes once built: all runs share one. It takes at most 192 bytes a wall and 1 MiB, however far the walls
 /// are spread.
 #[derive(Debug, Clone)]
 pub struct GridRays {
@@ -47,16 +49,15 @@ impl GridRays {
         let least_m = (1e-5 * span_m).max(1e-3);
         // NaN becomes the whole span.
         let range_m = range_m.min(span_m).max(least_m);
-        let env = |k: &str, d: usize| std::env::var(k).ok().and_then(|v| v.parse().ok()).unwrap_or(d);
-        let most_bytes = env("WB", WALL_BYTES) * walls.len() + env("BB", BASE_BYTES);
-        let long = env("LONG", 24) as f32; let cellf = env("CELL", 100) as f32 / 100.0;
+        let most_bytes = WALL_BYTES * walls.len() + BASE_BYTES;
         // A list covers a stretch of two reaches: one ray takes 1, 2, 3 … lists if they reach 1/1, 1/3, 1/5 … as far.
         let mut share = 1.0;
         let (reach_m, counts) = loop {
             let reach_m = range_m / share;
             let listed_m = reach_m + UNIT * reach_m + ROUNDING * span_m;
-            let counts = Counts::new(walls, bounds, listed_m, cellf * reach_m, most_bytes);
+            let counts = Counts::new(walls, bounds, listed_m, reach_m, most_bytes);
             // Where memory sets the size of the cells, shorter lists are not to be had.
+            let long = if share == 1.0 { LONG_LIST } else { LONG_LISTS };
             if counts.mean() <= long || counts.cell_m() > 2.0 * reach_m || reach_m < least_m {
                 break (reach_m, counts);
             }

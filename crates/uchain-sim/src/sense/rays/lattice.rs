@@ -7,7 +7,7 @@ use glam::Vec2;
 use crate::map::Segment;
 
 /// Cells along the side of a block.
-const SIDE: usize = 16;
+const SIDE: usize = 8;
 /// Cells in a block.
 pub(super) const BLOCK_CELLS: usize = SIDE * SIDE;
 
@@ -15,8 +15,10 @@ pub(super) const BLOCK_CELLS: usize = SIDE * SIDE;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lattice {
     low: Vec2,
-    cell_m: f32,
     cells_per_m: f32,
+    /// Columns and rows as numbers.
+    size: Vec2,
+    cell_m: f32,
     columns: usize,
     rows: usize,
     block_columns: usize,
@@ -37,7 +39,8 @@ impl Lattice {
         (blocks.x * blocks.y <= most_blocks as f64).then(|| {
             let (columns, rows) = (cells.x as usize + 1, cells.y as usize + 1);
             let block_columns = columns.div_ceil(SIDE);
-            Self { low, cell_m, cells_per_m: 1.0 / cell_m, columns, rows, block_columns }
+            let size = Vec2::new(columns as f32, rows as f32);
+            Self { low, cells_per_m: 1.0 / cell_m, size, cell_m, columns, rows, block_columns }
         })
     }
 
@@ -51,16 +54,16 @@ impl Lattice {
 
     /// The least and the greatest corner.
     pub(super) fn bounds(&self) -> (Vec2, Vec2) {
-        (self.low, self.low + self.cell_m * Vec2::new(self.columns as f32, self.rows as f32))
+        (self.low, self.low + self.cell_m * self.size)
     }
 
     /// The cell a point lies in. `None` outside, and for what is no point.
     #[inline]
     pub(super) fn cell_at(&self, p: Vec2) -> Option<Cell> {
         let at = (p - self.low) * self.cells_per_m;
-        let inside = at.x >= 0.0 && at.y >= 0.0 && at.x < self.columns as f32 && at.y < self.rows as f32;
+        let inside = at.x >= 0.0 && at.y >= 0.0 && at.x < self.size.x && at.y < self.size.y;
         // A cast truncates, which is floor above zero; `f32::floor` is a library call in the default build.
-        inside.then(|| self.cell(at.x as usize, at.y as usize))
+        inside.then(|| self.cell(at.x as u32 as usize, at.y as u32 as usize))
     }
 
     #[inline]
