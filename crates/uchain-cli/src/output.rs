@@ -80,16 +80,31 @@ impl Folder {
         start: impl FnOnce(fs::File) -> Result<T, RecordError>,
     ) -> Result<(T, PathBuf), Failure> {
         let file = self.path.join(name);
-        let failed = |cause| Failure::Write { file: file.clone(), cause };
-        fs::create_dir_all(&self.path).map_err(failed)?;
-        let (unfinished, path) = unfinished_file(&self.path).map_err(failed)?.into_parts();
-        let started = start(unfinished).map_err(|cause| Failure::Tape { file: file.clone(), cause })?;
-        path.persist(&file).map_err(|error| failed(error.error))?;
+        let started = self.or_not_at_all(|| {
+            let failed = |cause| Failure::Write { file: file.clone(), cause };
+            let (unfinished, path) = unfinished_file(&self.path).map_err(failed)?.into_parts();
+            let started = start(unfinished).map_err(|cause| Failure::Tape { file: file.clone(), cause })?;
+            path.persist(&file).map_err(|error| failed(error.error))?;
+            Ok(started)
+        })?;
         for name in [RUN.numbers, RUN.picture] {
             // Mostly there is none.
             let _ = fs::remove_file(self.path.join(name));
         }
         Ok((started, file))
+    }
+
+    /// Writes into the folder. One that was not there before stays only if that went well.
+    fn or_not_at_all<T>(&self, write: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
+        let is_new = !self.path.exists();
+        let written = fs::create_dir_all(&self.path)
+            .map_err(|cause| Failure::Write { file: self.path.clone(), cause })
+            .and_then(|()| write());
+        if written.is_err() && is_new {
+            // Goes only if it is empty, and then it is ours.
+            let _ = fs::remove_dir(&self.path);
+        }
+        written
     }
 
     /// Where the files are, for people.
@@ -104,20 +119,12 @@ impl Folder {
     /// Writes the picture and the numbers. Both are complete under other names before either shows
     /// under its own.
     pub(crate) fn write(&self, names: &Names, numbers: &[u8], picture: &[u8]) -> Result<(), Failure> {
-        let is_new = !self.path.exists();
-        let written = fs::create_dir_all(&self.path)
-            .map_err(|cause| Failure::Write { file: self.path.clone(), cause })
-            .and_then(|()| {
-                let picture = self.prepare(names.picture, picture)?;
-                let numbers = self.prepare(names.numbers, numbers)?;
-                self.show(names.picture, picture)?;
-                self.show(names.numbers, numbers)
-            });
-        if written.is_err() && is_new {
-            // Goes only if it is empty, and then it is ours.
-            let _ = fs::remove_dir(&self.path);
-        }
-        written
+        self.or_not_at_all(|| {
+            let picture = self.prepare(names.picture, picture)?;
+            let numbers = self.prepare(names.numbers, numbers)?;
+            self.show(names.picture, picture)?;
+            self.show(names.numbers, numbers)
+        })
     }
 
     fn prepare(&self, name: &str, bytes: &[u8]) -> Result<NamedTempFile, Failure> {

@@ -72,7 +72,7 @@ impl<'a> Report<'a> {
         }
         line("relays", &relays(summary));
         let launches: Vec<String> = summary.launches_s.iter().map(|at_s| format!("{at_s:.1}")).collect();
-        line("launches", &format!("{} s", launches.join(", ")));
+        line("launches", &if launches.is_empty() { "none".to_owned() } else { launches.join(", ") + " s" });
         line("contacts", &format!("{} wall, {} UAV", summary.wall_contacts, summary.uav_contacts));
         line("connected", &format!("{:.1} %", 100.0 * summary.connected_fraction));
         line("digest", &summary.digest);

@@ -46,7 +46,7 @@ impl Recorder for Last {
 /// Flies a recording again, up to the first tick that differs in a bit.
 ///
 /// # Errors
-/// [`ReadError`]: the recording is damaged, goes on after its run is over, or is of a scenario that this version
+/// [`ReadError`]: the recording is empty or damaged, goes on after its run is over, or is of a scenario that this version
 /// cannot fly.
 ///
 /// ```
@@ -75,6 +75,9 @@ pub fn verify<R: Read>(recording: &mut Recording<R>) -> Result<Verdict, ReadErro
         let _ = sim.step(&mut flown);
         differences(&recorded, &flown.0, |found| _ = first.get_or_insert(found));
         ticks += 1;
+    }
+    if ticks == 0 {
+        return Err(ReadError::NoFrames);
     }
     Ok(Verdict { ticks, of, end: recording.frames.end(), first })
 }

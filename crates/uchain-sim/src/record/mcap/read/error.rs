@@ -17,6 +17,9 @@ pub enum ReadError {
         /// Length of the file (bytes).
         bytes: u64,
     },
+    /// There is nothing to fly again.
+    #[error("no tick was recorded")]
+    NoFrames,
     /// An MCAP file of somebody else, or of another layout.
     #[error("not a recording of uchain: {why}")]
     NotOurs {
