@@ -6,6 +6,7 @@ mod count;
 mod laws;
 mod maps;
 mod rays;
+mod record;
 mod run;
 mod w1;
 
@@ -20,6 +21,7 @@ fn main() -> ExitCode {
     laws::all(&mut criterion);
     rays::all(&mut criterion);
     w1::all(&mut criterion);
+    record::all(&mut criterion);
     run::all(&mut criterion);
     criterion.final_summary();
     ExitCode::SUCCESS

@@ -9,6 +9,9 @@ mod plan;
 /// Presets, from the list to the flight.
 #[path = "cli/preset.rs"]
 mod preset;
+/// Recordings: `inspect`, `verify`, `diff`, and runs that do not end.
+#[path = "cli/record.rs"]
+mod record;
 
 use std::{
     fs,
@@ -59,7 +62,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 }
 
 #[test]
-fn a_run_leaves_a_summary_and_a_picture_and_exits_with_0() {
+fn a_run_leaves_a_summary_a_picture_and_a_recording_and_exits_with_0() {
     let here = folder();
     let output = uchain(here.path(), &["run", "corner", "--set", SHORT]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
@@ -69,7 +72,7 @@ fn a_run_leaves_a_summary_and_a_picture_and_exits_with_0() {
 
     let results = here.path().join("runs/corner-s1");
     let names: Vec<_> = files(&results).iter().map(|path| path.file_name().unwrap().to_owned()).collect();
-    assert_eq!(names, ["run.png", "summary.json"]);
+    assert_eq!(names, ["run.mcap", "run.png", "summary.json"]);
     let picture = image::load_from_memory(&fs::read(results.join("run.png")).unwrap()).unwrap();
     assert_eq!(picture.width(), 1400);
 }
@@ -147,7 +150,7 @@ fn results_that_cannot_be_written_exit_with_1_and_a_file_as_folder_with_2() {
     fs::write(here.path().join("odd/run.png/x"), "").unwrap();
     let output = run("odd");
     assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
-    assert_eq!(files(&here.path().join("odd")).len(), 2, "no summary, nothing unfinished left behind");
+    assert_eq!(files(&here.path().join("odd")).len(), 3, "the recording; no summary, nothing unfinished");
 }
 
 #[test]

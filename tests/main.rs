@@ -10,6 +10,8 @@ mod determinism;
 mod faults;
 /// Claims of the laws for whatever they may meet.
 mod laws;
+/// What is recorded can be read again, and what is damaged cannot.
+mod record;
 /// The shipped scenarios do what their descriptions say.
 mod scenarios;
 

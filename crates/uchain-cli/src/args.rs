@@ -6,7 +6,10 @@ use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use uchain_sim::config::UAVS_MAX;
 
-use crate::exit::{self, Exit};
+use crate::{
+    exit::{self, Exit},
+    recording,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -14,6 +17,8 @@ Examples:
   uchain run corner                          fly it; results in runs/corner-s1
   uchain run corner --seed 7 --set chain.uavs=5 --set radio.sigma_db=0
   uchain run corner --set preset=cavemod     with the values of the authors' firmware
+  uchain inspect runs/corner-s1/run.mcap     look into a recording
+  uchain verify runs/corner-s1/run.mcap      fly it again: still the same, bit for bit?
   uchain plan corner                         how many UAVs does it need? (flies nothing)
   uchain show corner > mine.toml             copy a scenario and edit it
   uchain show --preset cavemod               what is in a preset
@@ -27,7 +32,8 @@ Examples:
   uchain run corner --seed 7 --set takeoff.s_min_db=55 --set 'pilot.0.follow=left'
   uchain run ./mine.toml --out results/a --json
 
-Writes summary.json and run.png. Same scenario, same seed: same digest, bit for bit.
+Writes run.mcap while it flies (open it in Foxglove or Rerun), then summary.json and run.png. A run that is
+stopped leaves run.mcap, readable up to there. Same scenario, same seed: same digest, bit for bit.
 ";
 
 const PLAN_EXAMPLES: &str = "\
@@ -54,8 +60,14 @@ struct Cli {
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Fly a scenario; leave a summary and a picture
+    /// Fly a scenario; leave a summary, a picture and a recording
     Run(Run),
+    /// Look into a recording: summary, numbers over time, the picture again
+    Inspect(recording::Inspect),
+    /// Fly a recording again and compare every bit of every tick
+    Verify(recording::Verify),
+    /// Where two recordings part, and how far
+    Diff(recording::Diff),
     /// How many UAVs does a tunnel need, and for how long? (flies nothing)
     Plan(Plan),
     /// List the scenarios and the presets that are built in
@@ -97,6 +109,8 @@ pub(crate) struct Run {
     pub(crate) force: bool,
     #[arg(long, value_name = "KEY=VALUE", value_parser = assignment, help = SET_HELP)]
     pub(crate) set: Vec<String>,
+    #[command(flatten)]
+    pub(crate) recording: recording::Choice,
     /// Print the summary as JSON on stdout, and nothing else there
     #[arg(long)]
     pub(crate) json: bool,

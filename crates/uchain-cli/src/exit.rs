@@ -1,9 +1,21 @@
 //! How a command can end.
 
-use std::{fmt::Write as _, io, path::PathBuf, process::ExitCode};
+use std::{
+    fmt::Write as _,
+    io,
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
 
 use uchain_sim::{
-    analyse::PlanError, config::ConfigError, draw::DrawError, record::RecordError, run::RunError,
+    analyse::PlanError,
+    config::ConfigError,
+    draw::DrawError,
+    record::{
+        RecordError,
+        mcap::{PlayError, ReadError},
+    },
+    run::RunError,
 };
 
 /// Exit codes.
@@ -13,16 +25,18 @@ pub(crate) enum Exit {
     RunFailed = 1,
     Usage = 2,
     InputInvalid = 3,
+    Differ = 4,
     Interrupted = 130,
 }
 
 /// The one table of exit codes; `--help` prints it.
-const TABLE: [(Exit, &str); 5] = [
+const TABLE: [(Exit, &str); 6] = [
     (Exit::Ok, "ok"),
     (Exit::RunFailed, "run failed, or its results could not be written"),
     (Exit::Usage, "usage: wrong arguments, or an output folder that is not to be touched"),
-    (Exit::InputInvalid, "input invalid: scenario or map; nothing is written"),
-    (Exit::Interrupted, "interrupted (Ctrl-C); nothing is written"),
+    (Exit::InputInvalid, "input invalid: scenario, map or recording; nothing is written"),
+    (Exit::Differ, "verify, diff: the flights differ"),
+    (Exit::Interrupted, "interrupted (Ctrl-C); nothing is written but the recording up to there"),
 ];
 
 impl Exit {
@@ -66,21 +80,44 @@ pub(crate) enum Failure {
     Stdout(io::Error),
     #[error("{0}; nothing was written")]
     Run(#[from] RunError),
-    #[error("interrupted; nothing was written")]
+    #[error("{error}; {} holds the flight up to there", recording.display())]
+    Cut { error: RunError, recording: PathBuf },
+    #[error("{}: {cause}", file.display())]
+    Tape { file: PathBuf, cause: RecordError },
+    #[error("{}: {cause}", file.display())]
+    Recording { file: PathBuf, cause: ReadError },
+    #[error("interrupted; no summary and no picture were written")]
     Interrupted,
+    #[error("the flights differ")]
+    Differ,
 }
 
 impl Failure {
+    /// Of a recording that was played.
+    pub(crate) fn played(file: &Path, cause: PlayError) -> Self {
+        let file = file.to_owned();
+        match cause {
+            PlayError::Read(cause) => Self::Recording { file, cause },
+            PlayError::Record(cause) => Self::Run(cause.into()),
+        }
+    }
+
     pub(crate) fn exit(&self) -> Exit {
         match self {
-            Self::Input(_) | Self::Plan(_) | Self::Map(_) => Exit::InputInvalid,
+            Self::Recording { cause: ReadError::Io(_), .. } => Exit::RunFailed,
+            Self::Input(_) | Self::Plan(_) | Self::Map(_) | Self::Recording { .. } => Exit::InputInvalid,
             Self::BareMap { .. } | Self::Occupied { .. } | Self::Folder { .. } => Exit::Usage,
-            Self::Interrupted | Self::Run(RunError::Record(RecordError::Interrupted { .. })) => {
-                Exit::Interrupted
-            }
-            Self::Write { .. } | Self::Json(_) | Self::Draw(_) | Self::Stdout(_) | Self::Run(_) => {
-                Exit::RunFailed
-            }
+            Self::Interrupted
+            | Self::Run(RunError::Record(RecordError::Interrupted { .. }))
+            | Self::Cut { error: RunError::Record(RecordError::Interrupted { .. }), .. } => Exit::Interrupted,
+            Self::Differ => Exit::Differ,
+            Self::Write { .. }
+            | Self::Json(_)
+            | Self::Draw(_)
+            | Self::Stdout(_)
+            | Self::Run(_)
+            | Self::Cut { .. }
+            | Self::Tape { .. } => Exit::RunFailed,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! `uchain run`: read, fly, draw, write, say.
+//! `uchain run`: read, fly and record, draw, write, say.
 
 use uchain_sim::{
     analyse::Summary,
@@ -11,8 +11,9 @@ use uchain_sim::{
 use crate::{
     args::Run,
     exit::Failure,
-    output::{Folder, RUN},
+    output::{Folder, Names, RUN},
     print,
+    recording::Tape,
     report::Report,
     watch::{Watch, interrupted, listen_for_interrupt},
 };
@@ -28,21 +29,30 @@ pub(crate) fn fly(asked: &Run) -> Result<(), Failure> {
     listen_for_interrupt();
     let ticks = total_ticks(course.scenario.duration_s);
     let mut watch = Watch::new(course.spawns.len(), ticks, !(asked.quiet || asked.json));
-    let (summary, wall_s) = timed(&course, asked.seed, &mut watch)?;
+    let names = Names { recording: RUN.recording.filter(|_| asked.recording.wanted()), ..RUN };
+    let tape = names.recording.map(|name| Tape::begin(&folder, name, &course, asked.seed));
+    let mut tape = tape.transpose()?;
+    let flown = timed(&course, asked.seed, &mut (&mut watch, &mut tape));
+    let (summary, wall_s) = match (flown, tape) {
+        (Ok(flown), Some(tape)) => tape.end().map(|()| flown)?,
+        (Ok(flown), None) => flown,
+        (Err(error), Some(tape)) => return Err(tape.cut(error)),
+        (Err(error), None) => return Err(error.into()),
+    };
     let picture = draw::run_png(&course, &watch.into_history(), &summary)?;
-    let report = Report::new(&summary, wall_s);
+    let report = Report::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));
     let json = report.json()?;
     if interrupted() {
         return Err(Failure::Interrupted);
     }
-    folder.write(&RUN, json.as_bytes(), &picture)?;
+    folder.write(&names, json.as_bytes(), &picture)?;
 
     if asked.json {
         print(&json)
     } else if asked.quiet {
         Ok(())
     } else {
-        print(&report.text(&folder.says(&RUN)))
+        print(&report.text(&folder.says(&names)))
     }
 }
 

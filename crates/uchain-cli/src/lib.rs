@@ -1,4 +1,4 @@
-//! uchain on the command line: reads a scenario, flies it, leaves a summary and a picture.
+//! uchain on the command line: reads a scenario, flies it, leaves a summary, a picture and a recording.
 //!
 //! A library, so that other front ends (a wheel's console script) can call [`main_with`].
 
@@ -7,6 +7,7 @@ mod exit;
 mod fly;
 mod output;
 mod plan;
+mod recording;
 mod report;
 mod watch;
 
@@ -31,6 +32,8 @@ pub fn main_with(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
+        // What differs has been said.
+        Err(failure @ Failure::Differ) => failure.exit().code(),
         Err(failure) => {
             // Nobody is left to tell when stderr is gone.
             let _ = writeln!(io::stderr(), "error: {failure}");
@@ -42,6 +45,9 @@ pub fn main_with(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
 fn obey(command: Command) -> Result<(), Failure> {
     match command {
         Command::Run(asked) => fly::fly(&asked),
+        Command::Inspect(asked) => recording::inspect(&asked),
+        Command::Verify(asked) => recording::verify(&asked),
+        Command::Diff(asked) => recording::diff(&asked),
         Command::Plan(asked) => plan::reckon(&asked),
         Command::List => print(&list()?),
         Command::Show { preset: Some(name), .. } => print(Preset::find(&name)?.text),

@@ -7,6 +7,7 @@ use std::{
 };
 
 use tempfile::NamedTempFile;
+use uchain_sim::record::RecordError;
 
 use crate::exit::Failure;
 
@@ -17,12 +18,23 @@ pub(crate) struct Names {
     pub(crate) numbers: &'static str,
     /// The picture.
     pub(crate) picture: &'static str,
+    /// The recording.
+    pub(crate) recording: Option<&'static str>,
+}
+
+impl Names {
+    fn hold(&self, name: &str) -> bool {
+        name == self.numbers || name == self.picture || self.recording == Some(name)
+    }
 }
 
 /// What `uchain run` leaves.
-pub(crate) const RUN: Names = Names { numbers: "summary.json", picture: "run.png" };
+pub(crate) const RUN: Names =
+    Names { numbers: "summary.json", picture: "run.png", recording: Some("run.mcap") };
 /// What `uchain plan` leaves.
-pub(crate) const PLAN: Names = Names { numbers: "plan.json", picture: "plan.png" };
+pub(crate) const PLAN: Names = Names { numbers: "plan.json", picture: "plan.png", recording: None };
+/// What `uchain inspect --out` leaves.
+pub(crate) const INSPECT: Names = Names { numbers: "inspect.json", picture: "run.png", recording: None };
 
 /// How names of files start that are not finished yet.
 const UNFINISHED: &str = ".uchain-";
@@ -51,8 +63,8 @@ impl Folder {
         for entry in entries {
             let name = entry.map_err(refuse)?.file_name();
             let name = name.to_string_lossy();
-            let known = [RUN, PLAN].iter().any(|names| name == names.numbers || name == names.picture);
-            let is_ours = known || name.starts_with(UNFINISHED);
+            let is_ours =
+                [RUN, PLAN, INSPECT].iter().any(|names| names.hold(&name)) || name.starts_with(UNFINISHED);
             if !is_ours && !force {
                 return Err(Failure::Occupied { folder: path.to_owned(), found: name.into_owned() });
             }
@@ -60,28 +72,59 @@ impl Folder {
         Ok(folder)
     }
 
-    /// Where the files are, for people.
-    pub(crate) fn says(&self, names: &Names) -> String {
-        format!("{} and {}", self.path.join(names.numbers).display(), names.picture)
+    /// Begins the file of a recording: its first words are written before it has its name. From then on the folder is
+    /// about the new run, and what an older one left in it is gone.
+    pub(crate) fn begin<T>(
+        &self,
+        name: &str,
+        start: impl FnOnce(fs::File) -> Result<T, RecordError>,
+    ) -> Result<(T, PathBuf), Failure> {
+        let file = self.path.join(name);
+        let started = self.or_not_at_all(|| {
+            let failed = |cause| Failure::Write { file: file.clone(), cause };
+            let (unfinished, path) = unfinished_file(&self.path).map_err(failed)?.into_parts();
+            let started = start(unfinished).map_err(|cause| Failure::Tape { file: file.clone(), cause })?;
+            path.persist(&file).map_err(|error| failed(error.error))?;
+            Ok(started)
+        })?;
+        for name in [RUN.numbers, RUN.picture] {
+            // Mostly there is none.
+            let _ = fs::remove_file(self.path.join(name));
+        }
+        Ok((started, file))
     }
 
-    /// Writes the picture and the numbers. Both are complete under other names before either shows
-    /// under its own.
-    pub(crate) fn write(&self, names: &Names, numbers: &[u8], picture: &[u8]) -> Result<(), Failure> {
+    /// Writes into the folder. One that was not there before stays only if that went well.
+    fn or_not_at_all<T>(&self, write: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
         let is_new = !self.path.exists();
         let written = fs::create_dir_all(&self.path)
             .map_err(|cause| Failure::Write { file: self.path.clone(), cause })
-            .and_then(|()| {
-                let picture = self.prepare(names.picture, picture)?;
-                let numbers = self.prepare(names.numbers, numbers)?;
-                self.show(names.picture, picture)?;
-                self.show(names.numbers, numbers)
-            });
+            .and_then(|()| write());
         if written.is_err() && is_new {
             // Goes only if it is empty, and then it is ours.
             let _ = fs::remove_dir(&self.path);
         }
         written
+    }
+
+    /// Where the files are, for people.
+    pub(crate) fn says(&self, names: &Names) -> String {
+        let numbers = self.path.join(names.numbers);
+        match names.recording {
+            Some(recording) => format!("{}, {} and {recording}", numbers.display(), names.picture),
+            None => format!("{} and {}", numbers.display(), names.picture),
+        }
+    }
+
+    /// Writes the picture and the numbers. Both are complete under other names before either shows
+    /// under its own.
+    pub(crate) fn write(&self, names: &Names, numbers: &[u8], picture: &[u8]) -> Result<(), Failure> {
+        self.or_not_at_all(|| {
+            let picture = self.prepare(names.picture, picture)?;
+            let numbers = self.prepare(names.numbers, numbers)?;
+            self.show(names.picture, picture)?;
+            self.show(names.numbers, numbers)
+        })
     }
 
     fn prepare(&self, name: &str, bytes: &[u8]) -> Result<NamedTempFile, Failure> {

@@ -10,18 +10,19 @@ use uchain_sim::analyse::Summary;
 pub(crate) struct Report<'a> {
     #[serde(flatten)]
     summary: &'a Summary,
-    /// How long the computer flew (s); the only number here that differs from run to run.
-    wall_s: f64,
-    /// Version of uchain.
-    version: &'static str,
+    /// How long the computer flew (s); the only number here that differs from run to run. A recording does not say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wall_s: Option<f64>,
+    /// Version of uchain that flew.
+    version: &'a str,
 }
 
 /// Most links listed to people.
 const LINKS_SHOWN: usize = 12;
 
 impl<'a> Report<'a> {
-    pub(crate) fn new(summary: &'a Summary, wall_s: f64) -> Self {
-        Self { summary, wall_s, version: env!("CARGO_PKG_VERSION") }
+    pub(crate) fn new(summary: &'a Summary, wall_s: Option<f64>, version: &'a str) -> Self {
+        Self { summary, wall_s, version }
     }
 
     /// JSON with a newline at its end.
@@ -32,10 +33,9 @@ impl<'a> Report<'a> {
     /// A few aligned lines.
     pub(crate) fn text(&self, files: &str) -> String {
         let Self { summary, wall_s, .. } = self;
-        let mut text = format!(
-            "{}, seed {}: {} s simulated in {wall_s:.2} s\n",
-            summary.scenario, summary.seed, summary.sim_s
-        );
+        let wall = wall_s.map(|wall_s| format!(" in {wall_s:.2} s")).unwrap_or_default();
+        let mut text =
+            format!("{}, seed {}: {} s simulated{wall}\n", summary.scenario, summary.seed, summary.sim_s);
         let mut line = |name: &str, value: &str| {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  {name:<10} {value}");
@@ -72,7 +72,7 @@ impl<'a> Report<'a> {
         }
         line("relays", &relays(summary));
         let launches: Vec<String> = summary.launches_s.iter().map(|at_s| format!("{at_s:.1}")).collect();
-        line("launches", &format!("{} s", launches.join(", ")));
+        line("launches", &if launches.is_empty() { "none".to_owned() } else { launches.join(", ") + " s" });
         line("contacts", &format!("{} wall, {} UAV", summary.wall_contacts, summary.uav_contacts));
         line("connected", &format!("{:.1} %", 100.0 * summary.connected_fraction));
         line("digest", &summary.digest);

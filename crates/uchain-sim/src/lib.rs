@@ -13,6 +13,8 @@ pub mod map;
 pub mod mission;
 pub mod radio;
 pub mod record;
+#[cfg(feature = "record")]
+pub mod replay;
 pub mod run;
 pub mod seed;
 pub mod sense;

@@ -120,7 +120,7 @@ impl<'a> Sim<'a> {
         frame.tick = self.tick;
         frame.decision = decision;
         frame.uavs.clear();
-        frame.uavs.extend(self.world.bodies().iter().map(|body| UavFrame {
+        frame.uavs.extend(self.world.bodies().iter().zip(&self.seen).map(|(body, seen)| UavFrame {
             x_m: body.at.x,
             y_m: body.at.y,
             heading_rad: body.heading_rad(),
@@ -130,6 +130,7 @@ impl<'a> Sim<'a> {
             airborne: body.airborne,
             wall_contacts: body.wall_contacts,
             uav_contacts: body.uav_contacts,
+            tof: seen.tof,
         }));
         if decision {
             frame.links.clear();

@@ -74,6 +74,7 @@ mod tests {
             airborne: true,
             wall_contacts: 0,
             uav_contacts: 0,
+            tof: None,
         };
         let of = |x_m| {
             let mut digest = Digest::default();

@@ -7,7 +7,7 @@ use glam::Vec2;
 use super::{LinkSummary, Summary};
 use crate::{
     config::Course,
-    record::{Frame, LinkFrame, RecordError, Recorder},
+    record::{Frame, LinkFrame, RecordError, Recorder, spread_db},
 };
 
 /// Losses within this of each other count as converged in an exploration (dB).
@@ -205,16 +205,6 @@ impl Recorder for Metrics<'_> {
     }
 }
 
-/// Largest minus smallest true loss (dB); `None` without two links.
-fn spread_db(links: &[LinkFrame]) -> Option<f32> {
-    if links.len() < 2 {
-        return None;
-    }
-    let low = links.iter().map(|link| link.true_db).fold(f32::INFINITY, f32::min);
-    let high = links.iter().map(|link| link.true_db).fold(f32::NEG_INFINITY, f32::max);
-    Some(high - low)
-}
-
 /// Median; the mean of the two middle values of an even number.
 fn median(values: impl Iterator<Item = f32>) -> Option<f32> {
     let mut sorted: Vec<f32> = values.collect();
@@ -236,12 +226,5 @@ mod tests {
         assert_eq!(median([3.0, 1.0, 2.0, 10.0].into_iter()), Some(2.5));
         assert_eq!(median([3.0, 1.0, 2.0].into_iter()), Some(2.0));
         assert_eq!(median(std::iter::empty()), None);
-    }
-
-    #[test]
-    fn one_link_has_no_spread() {
-        let link = |true_db| LinkFrame { uav: 0, true_db, filtered_db: None };
-        assert_eq!(spread_db(&[link(50.0)]), None);
-        assert_eq!(spread_db(&[link(50.0), link(57.0), link(52.0)]), Some(7.0));
     }
 }

@@ -1,12 +1,16 @@
 //! Frames in, numbers out.
 
+mod compare;
 mod digest;
 mod metrics;
 pub mod optimum;
 mod plan;
 mod summary;
+mod timeline;
 
+pub use compare::{Comparison, Difference, Value, Whose, differences};
 pub use digest::Digest;
 pub use metrics::Metrics;
 pub use plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan};
 pub use summary::{LinkSummary, Summary};
+pub use timeline::Timeline;

@@ -59,7 +59,18 @@ impl Course {
     pub fn read(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
         let document = Document::parse(source, sets)?;
         let scenario = Scenario::from_document(&document)?;
-        Self::lay_in(scenario, source, &document)
+        Self::lay_in(scenario, source, &document, None)
+    }
+
+    /// Like [`Course::read`], in a tunnel that was built before: `map` stands where the scenario names a map file,
+    /// which is not read. A corridor is built from the scenario all the same, as its middle comes with it.
+    ///
+    /// # Errors
+    /// Those of [`Course::read`].
+    pub fn read_in(source: &Source, map: Map) -> Result<Self, ConfigError> {
+        let document = Document::parse(source, &[])?;
+        let scenario = Scenario::from_document(&document)?;
+        Self::lay_in(scenario, source, &document, Some(map))
     }
 
     /// Builds the tunnel and finds everyone's place in it. `source` gives the folder for the map's path
@@ -71,17 +82,23 @@ impl Course {
     pub fn lay(scenario: Scenario, source: &Source) -> Result<Self, ConfigError> {
         let document = Document::parse(source, &[])?;
         check::values(&scenario, &document)?;
-        Self::lay_in(scenario, source, &document)
+        Self::lay_in(scenario, source, &document, None)
     }
 
-    fn lay_in(scenario: Scenario, source: &Source, document: &Document<'_>) -> Result<Self, ConfigError> {
-        let (map, line) = match &scenario.map {
-            MapConfig::Corridor(config) => {
+    fn lay_in(
+        scenario: Scenario,
+        source: &Source,
+        document: &Document<'_>,
+        built: Option<Map>,
+    ) -> Result<Self, ConfigError> {
+        let (map, line) = match (&scenario.map, built) {
+            (MapConfig::Corridor(config), _) => {
                 let built = build(config, scenario.chain.base_m);
                 let built = built.map_err(|cause| refuse(document, "map.corridor", cause));
                 built.map(|(map, line)| (map, Some(line)))?
             }
-            MapConfig::Ros(config) => {
+            (MapConfig::Ros(_), Some(map)) => (map, None),
+            (MapConfig::Ros(config), None) => {
                 (read(config, source).map_err(|cause| refuse(document, "map.ros.file", cause))?, None)
             }
         };

@@ -30,6 +30,24 @@ impl Scenario {
         Self::from_document(&document)
     }
 
+    /// The whole scenario in TOML: every value it has, whether written, set, from a preset or by default. Read
+    /// again it is the same scenario, without a preset.
+    ///
+    /// # Errors
+    /// None that a scenario from [`Scenario::parse`] could cause.
+    ///
+    /// ```
+    /// use uchain_sim::config::{Scenario, Source, builtin};
+    /// let scenario = Scenario::parse(&builtin("bend").unwrap(), &["chain.uavs=3".to_owned()]).unwrap();
+    /// let text = scenario.to_toml().unwrap();
+    /// assert!(text.contains("uavs = 3") && text.contains("sigma_db = "));
+    /// let again = Source { text, ..builtin("bend").unwrap() };
+    /// assert_eq!(Scenario::parse(&again, &[]).unwrap(), scenario);
+    /// ```
+    pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
+        toml::to_string(&Self { preset: None, ..self.clone() })
+    }
+
     pub(super) fn from_document(document: &Document<'_>) -> Result<Self, ConfigError> {
         let scenario = Self::deserialize(ValueDeserializer::from(document.root()))
             .map_err(|error| explain(&error, document))?;

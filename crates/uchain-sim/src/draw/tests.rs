@@ -27,6 +27,7 @@ fn flight(course: &Course, seconds: u64) -> (History, Summary) {
             airborne: i < flying,
             wall_contacts: 0,
             uav_contacts: 0,
+            tof: None,
         };
         let link = |i: usize| LinkFrame {
             uav: i,

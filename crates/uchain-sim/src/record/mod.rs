@@ -1,5 +1,14 @@
 //! What one instant of a run leaves behind, and who may listen.
 
+#[cfg(feature = "record")]
+pub mod mcap;
+mod moment;
+
+use uchain_core::chain::Tof;
+
+pub use moment::Moment;
+pub(crate) use moment::spread_db;
+
 /// One UAV at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UavFrame {
@@ -21,6 +30,9 @@ pub struct UavFrame {
     pub wall_contacts: u32,
     /// Contacts with other UAVs begun so far.
     pub uav_contacts: u32,
+    /// What its ToF sensors read at the start of the tick; `None` at ticks between two readings and on the ground.
+    /// Not part of the digest: it shows in what the UAV does.
+    pub tof: Option<Tof>,
 }
 
 /// One link of the flying chain, from a UAV to the next one in the air toward the base, or to the base.
@@ -94,6 +106,13 @@ pub enum RecordError {
 impl Recorder for () {
     fn frame(&mut self, _: &Frame) -> Result<(), RecordError> {
         Ok(())
+    }
+}
+
+/// Perhaps somebody listens.
+impl<R: Recorder> Recorder for Option<R> {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        self.as_mut().map_or(Ok(()), |recorder| recorder.frame(frame))
     }
 }
 

@@ -5,6 +5,7 @@ mod digest;
 mod libm;
 mod locks;
 mod no_std;
+mod python;
 
 use anyhow::Result;
 
@@ -46,6 +47,11 @@ pub(crate) const STEPS: &[Step] = &[
     Step { name: "doc", about: "the documentation builds without a warning", run: cargo::doc },
     Step { name: "test", about: "unit and integration tests", run: cargo::test },
     Step { name: "doctest", about: "examples in the documentation", run: cargo::doctest },
+    Step {
+        name: "python",
+        about: "Python's mcap library finds in a recording what uchain finds",
+        run: python::reads_recordings,
+    },
     Step {
         name: "no-std",
         about: "uchain-core links without std, heap or system mathematics",

@@ -1,0 +1,105 @@
+//! `uchain inspect`: read, sum up, draw, say.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+use uchain_sim::{
+    analyse::Timeline,
+    draw,
+    record::{Moment, mcap::End},
+    run::total_ticks,
+};
+
+use super::{Inspect, open};
+use crate::{
+    exit::Failure,
+    output::{Folder, INSPECT},
+    print,
+    report::Report,
+    watch::Watch,
+};
+
+/// Moments in JSON, at most twice as many.
+const MOMENTS: usize = 500;
+/// Rows of the table, at most twice as many.
+const ROWS: usize = 12;
+
+/// `inspect.json`, and what `--json` prints.
+#[derive(Serialize)]
+struct Inspected<'a> {
+    #[serde(flatten)]
+    report: Report<'a>,
+    /// Ticks that were recorded, and those of a whole run.
+    ticks: u64,
+    of_ticks: u64,
+    /// Whether the file ends as a recording does.
+    whole: bool,
+    moments: &'a [Moment],
+}
+
+pub(crate) fn inspect(asked: &Inspect) -> Result<(), Failure> {
+    let folder = asked.out.as_ref().map(|path| Folder::chosen(path, asked.force)).transpose()?;
+    let mut recording = open(&asked.file)?;
+    let refused = |cause| Failure::Recording { file: asked.file.clone(), cause };
+    let course = recording.course().map_err(refused)?;
+    let of_ticks = total_ticks(course.scenario.duration_s);
+    let limit_db = course.scenario.packets.limit_db;
+    let mut watch = Watch::new(course.spawns.len(), of_ticks, false);
+    let mut timeline = Timeline::new(MOMENTS, limit_db);
+    let summary = recording.summary(&course, &mut (&mut watch, &mut timeline));
+    let mut summary = summary.map_err(|cause| Failure::played(&asked.file, cause))?;
+    let ticks = recording.frames.tick();
+    if ticks < of_ticks {
+        let early = format!("ended early, after {:.2} s of {} s", summary.sim_s, course.scenario.duration_s);
+        summary.outcome = summary.outcome.replacen("completed", &early, 1);
+    }
+
+    let moments = timeline.into_moments();
+    let whole = recording.frames.end() == Some(End::Whole);
+    let version = &recording.about.version;
+    let report = || Report::new(&summary, None, version);
+    let inspected = Inspected { report: report(), ticks, of_ticks, whole, moments: &moments };
+    let json = serde_json::to_string_pretty(&inspected)? + "\n";
+    let mut files = asked.file.display().to_string();
+    if let Some(folder) = folder {
+        let picture = draw::run_png(&course, &watch.into_history(), &summary)?;
+        folder.write(&INSPECT, json.as_bytes(), &picture)?;
+        files = folder.says(&INSPECT);
+    }
+    if asked.json {
+        return print(&json);
+    }
+    let cut = if whole { "" } else { "; the file is cut short, and read up to its last whole chunk" };
+    print(&format!("flown by uchain {version}{cut}\n{}{}", report().text(&files), table(&moments)))
+}
+
+fn table(moments: &[Moment]) -> String {
+    let mut text =
+        "\n  time (s)  UAVs  reach (m)  worst link (dB)  spread (dB)  wall, UAV contacts\n".to_owned();
+    let number =
+        |value: Option<f32>| value.map_or_else(|| "-".to_owned(), |value_db| format!("{value_db:.1}"));
+    for moment in thinned(moments) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "  {:8.1}  {:4}  {:9.2}  {:>15}  {:>11}  {:>13}, {}{}",
+            moment.time_s,
+            moment.uavs,
+            moment.head_reach_m,
+            number(moment.worst_link_db),
+            number(moment.spread_db),
+            moment.wall_contacts,
+            moment.uav_contacts,
+            if moment.connected || moment.uavs == 0 { "" } else { "  not connected" },
+        );
+    }
+    text
+}
+
+/// Evenly spaced, the last one included.
+fn thinned(moments: &[Moment]) -> Vec<&Moment> {
+    let step = moments.len().div_ceil(ROWS).max(1);
+    let mut rows: Vec<&Moment> = moments.iter().rev().step_by(step).collect();
+    rows.reverse();
+    rows
+}

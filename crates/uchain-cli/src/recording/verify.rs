@@ -1,0 +1,36 @@
+//! `uchain verify`: fly a recording again.
+
+use uchain_sim::{record::mcap::End, replay};
+
+use super::{Verify, open};
+use crate::{exit::Failure, print};
+
+/// This version.
+const OURS: &str = env!("CARGO_PKG_VERSION");
+
+pub(crate) fn verify(asked: &Verify) -> Result<(), Failure> {
+    let mut recording = open(&asked.file)?;
+    let refused = |cause| Failure::Recording { file: asked.file.clone(), cause };
+    let verdict = replay::verify(&mut recording).map_err(refused)?;
+
+    let theirs = &recording.about.version;
+    let versions = if theirs == OURS {
+        String::new()
+    } else {
+        format!("recorded by uchain {theirs}, flown by {OURS}\n")
+    };
+    if let Some(first) = verdict.first {
+        let (place, here, there) = (first.place(), first.here, first.there);
+        print(&format!("{versions}differs at {place}: {here} recorded, {there} flown\n"))?;
+        return Err(Failure::Differ);
+    }
+    let (ticks, of) = (verdict.ticks, verdict.of);
+    let said = match verdict.end {
+        _ if ticks == of => format!("all {ticks} ticks are the same, bit for bit"),
+        Some(End::Whole) => format!("the same, bit for bit, for the {ticks} ticks of {of} it was flown"),
+        _ => format!(
+            "the same, bit for bit, for the {ticks} ticks of {of} that were recorded; the file is cut short"
+        ),
+    };
+    print(&format!("{versions}{said}\n"))
+}

@@ -1,0 +1,227 @@
+//! Our own messages, as `uchain.proto` has them, and the way from a [`Frame`] to one and back, bit for bit.
+
+use uchain_core::chain::Tof;
+
+use crate::{
+    config::UAVS_MAX,
+    map::FARTHEST_M,
+    record::{Frame, LinkFrame, Moment, UavFrame},
+};
+
+/// Most contacts of one UAV: two a tick, all day long. Those of all UAVs can be added up.
+const MOST_CONTACTS: u32 = 4_000_000;
+
+/// `uchain.Frame`. Stands for one frame after the other, so that its lists are allocated once.
+#[derive(Clone, PartialEq, prost::Message)]
+pub(super) struct FrameMessage {
+    #[prost(uint64, tag = "1")]
+    tick: u64,
+    #[prost(bool, tag = "2")]
+    decision: bool,
+    #[prost(float, repeated, tag = "3")]
+    x_m: Vec<f32>,
+    #[prost(float, repeated, tag = "4")]
+    y_m: Vec<f32>,
+    #[prost(float, repeated, tag = "5")]
+    heading_rad: Vec<f32>,
+    #[prost(float, repeated, tag = "6")]
+    forward_mps: Vec<f32>,
+    #[prost(float, repeated, tag = "7")]
+    lateral_mps: Vec<f32>,
+    #[prost(float, repeated, tag = "8")]
+    yaw_rate_radps: Vec<f32>,
+    #[prost(bool, repeated, tag = "9")]
+    airborne: Vec<bool>,
+    #[prost(uint32, repeated, tag = "10")]
+    wall_contacts: Vec<u32>,
+    #[prost(uint32, repeated, tag = "11")]
+    uav_contacts: Vec<u32>,
+    #[prost(float, repeated, tag = "12")]
+    tof_m: Vec<f32>,
+    #[prost(uint32, repeated, tag = "13")]
+    link_uav: Vec<u32>,
+    #[prost(float, repeated, tag = "14")]
+    link_true_db: Vec<f32>,
+    #[prost(float, repeated, tag = "15")]
+    link_filtered_db: Vec<f32>,
+    #[prost(float, tag = "16")]
+    head_reach_m: f32,
+}
+
+/// `uchain.Metrics`.
+#[derive(Clone, Copy, PartialEq, prost::Message)]
+pub(super) struct MetricsMessage {
+    #[prost(uint32, tag = "1")]
+    uavs: u32,
+    #[prost(float, tag = "2")]
+    head_reach_m: f32,
+    #[prost(float, tag = "3")]
+    worst_link_db: f32,
+    #[prost(float, tag = "4")]
+    spread_db: f32,
+    #[prost(bool, tag = "5")]
+    connected: bool,
+    #[prost(uint32, tag = "6")]
+    wall_contacts: u32,
+    #[prost(uint32, tag = "7")]
+    uav_contacts: u32,
+}
+
+impl From<Moment> for MetricsMessage {
+    fn from(moment: Moment) -> Self {
+        Self {
+            uavs: moment.uavs as u32,
+            head_reach_m: moment.head_reach_m,
+            worst_link_db: moment.worst_link_db.unwrap_or(f32::NAN),
+            spread_db: moment.spread_db.unwrap_or(f32::NAN),
+            connected: moment.connected,
+            wall_contacts: moment.wall_contacts,
+            uav_contacts: moment.uav_contacts,
+        }
+    }
+}
+
+/// Replaces what a list holds.
+fn set<T>(list: &mut Vec<T>, values: impl Iterator<Item = T>) {
+    list.clear();
+    list.extend(values);
+}
+
+impl FrameMessage {
+    /// Takes a frame's values.
+    pub(super) fn fill(&mut self, frame: &Frame) {
+        let Frame { tick, decision, uavs, links, head_reach_m } = frame;
+        (self.tick, self.decision, self.head_reach_m) = (*tick, *decision, *head_reach_m);
+        set(&mut self.x_m, uavs.iter().map(|uav| uav.x_m));
+        set(&mut self.y_m, uavs.iter().map(|uav| uav.y_m));
+        set(&mut self.heading_rad, uavs.iter().map(|uav| uav.heading_rad));
+        set(&mut self.forward_mps, uavs.iter().map(|uav| uav.forward_mps));
+        set(&mut self.lateral_mps, uavs.iter().map(|uav| uav.lateral_mps));
+        set(&mut self.yaw_rate_radps, uavs.iter().map(|uav| uav.yaw_rate_radps));
+        set(&mut self.airborne, uavs.iter().map(|uav| uav.airborne));
+        set(&mut self.wall_contacts, uavs.iter().map(|uav| uav.wall_contacts));
+        set(&mut self.uav_contacts, uavs.iter().map(|uav| uav.uav_contacts));
+        self.tof_m.clear();
+        if uavs.iter().any(|uav| uav.tof.is_some()) {
+            let beams = |tof: Tof| [tof.nw_m, tof.ne_m, tof.sw_m, tof.se_m];
+            self.tof_m.extend(uavs.iter().flat_map(|uav| uav.tof.map_or([f32::NAN; 4], beams)));
+        }
+        set(&mut self.link_uav, links.iter().map(|link| link.uav as u32));
+        set(&mut self.link_true_db, links.iter().map(|link| link.true_db));
+        set(&mut self.link_filtered_db, links.iter().map(|link| link.filtered_db.unwrap_or(f32::NAN)));
+    }
+
+    /// Writes the values into a frame.
+    ///
+    /// # Errors
+    /// In words: lists of unlike length, a number outside of what a simulation can come to.
+    pub(super) fn pour(&self, frame: &mut Frame) -> Result<(), String> {
+        self.check()?;
+        (frame.tick, frame.decision, frame.head_reach_m) = (self.tick, self.decision, self.head_reach_m);
+        set(&mut frame.uavs, (0..self.x_m.len()).map_while(|i| self.uav(i)));
+        set(&mut frame.links, (0..self.link_uav.len()).map_while(|i| self.link(i)));
+        Ok(())
+    }
+
+    fn uav(&self, i: usize) -> Option<UavFrame> {
+        let tof = match self.tof_m.get(4 * i..4 * i + 4) {
+            Some(&[nw_m, ne_m, sw_m, se_m]) if !nw_m.is_nan() => Some(Tof { nw_m, ne_m, sw_m, se_m }),
+            _ => None,
+        };
+        Some(UavFrame {
+            x_m: *self.x_m.get(i)?,
+            y_m: *self.y_m.get(i)?,
+            heading_rad: *self.heading_rad.get(i)?,
+            forward_mps: *self.forward_mps.get(i)?,
+            lateral_mps: *self.lateral_mps.get(i)?,
+            yaw_rate_radps: *self.yaw_rate_radps.get(i)?,
+            airborne: *self.airborne.get(i)?,
+            wall_contacts: *self.wall_contacts.get(i)?,
+            uav_contacts: *self.uav_contacts.get(i)?,
+            tof,
+        })
+    }
+
+    fn link(&self, i: usize) -> Option<LinkFrame> {
+        let filtered_db = *self.link_filtered_db.get(i)?;
+        Some(LinkFrame {
+            uav: *self.link_uav.get(i)? as usize,
+            true_db: *self.link_true_db.get(i)?,
+            filtered_db: (!filtered_db.is_nan()).then_some(filtered_db),
+        })
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let uavs = self.x_m.len();
+        if uavs > UAVS_MAX {
+            return Err(format!("{uavs} UAVs: expected at most {UAVS_MAX}"));
+        }
+        let lengths = [
+            ("y_m", self.y_m.len()),
+            ("heading_rad", self.heading_rad.len()),
+            ("forward_mps", self.forward_mps.len()),
+            ("lateral_mps", self.lateral_mps.len()),
+            ("yaw_rate_radps", self.yaw_rate_radps.len()),
+            ("airborne", self.airborne.len()),
+            ("wall_contacts", self.wall_contacts.len()),
+            ("uav_contacts", self.uav_contacts.len()),
+        ];
+        alike(uavs, "x_m", &lengths)?;
+        if !self.tof_m.is_empty() {
+            alike(4 * uavs, "x_m, times four", &[("tof_m", self.tof_m.len())])?;
+        }
+        let links = self.link_uav.len();
+        let lengths =
+            [("link_true_db", self.link_true_db.len()), ("link_filtered_db", self.link_filtered_db.len())];
+        alike(links, "link_uav", &lengths)?;
+        if let Some(uav) = self.link_uav.iter().find(|uav| **uav as usize >= uavs) {
+            return Err(format!("link_uav = {uav}: expected one of {uavs} UAVs"));
+        }
+        if links > uavs {
+            return Err(format!("{links} links of {uavs} UAVs: expected at most one each"));
+        }
+        self.numbers()
+    }
+
+    /// Walls lie within [`FARTHEST_M`], and nothing else in a run is larger.
+    fn numbers(&self) -> Result<(), String> {
+        let lists = [
+            ("x_m", &self.x_m[..]),
+            ("y_m", &self.y_m),
+            ("heading_rad", &self.heading_rad),
+            ("forward_mps", &self.forward_mps),
+            ("lateral_mps", &self.lateral_mps),
+            ("yaw_rate_radps", &self.yaw_rate_radps),
+            ("link_true_db", &self.link_true_db),
+        ];
+        let most = 10.0 * FARTHEST_M;
+        for (name, list) in lists {
+            if let Some(value) = list.iter().find(|value| value.is_nan() || value.abs() > most) {
+                return Err(format!("{name} = {value}: expected a number within ±{most}"));
+            }
+        }
+        // NaN stands for none.
+        for (name, list) in [("tof_m", &self.tof_m), ("link_filtered_db", &self.link_filtered_db)] {
+            if let Some(value) = list.iter().find(|value| value.abs() > most) {
+                return Err(format!("{name} = {value}: expected a number within ±{most}"));
+            }
+        }
+        for (name, list) in [("wall_contacts", &self.wall_contacts), ("uav_contacts", &self.uav_contacts)] {
+            if let Some(count) = list.iter().find(|count| **count > MOST_CONTACTS) {
+                return Err(format!("{name} = {count}: expected at most {MOST_CONTACTS}"));
+            }
+        }
+        let reach_m = self.head_reach_m;
+        if !(0.0..=1e9).contains(&reach_m) {
+            return Err(format!("head_reach_m = {reach_m}: expected a length"));
+        }
+        Ok(())
+    }
+}
+
+fn alike(wanted: usize, of: &str, lengths: &[(&str, usize)]) -> Result<(), String> {
+    match lengths.iter().find(|(_, length)| *length != wanted) {
+        Some((name, length)) => Err(format!("{name} has {length} entries: expected {wanted}, as {of} has")),
+        None => Ok(()),
+    }
+}

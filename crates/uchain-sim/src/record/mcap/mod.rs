@@ -1,0 +1,40 @@
+//! Recordings: a run in one MCAP file, to look at in Foxglove or Rerun, to read back, to fly again.
+//!
+//! [`McapRecorder`] writes, [`Recording`] reads. mcap and foxglove live here only. What is in the file:
+//!
+//! | where | what |
+//! |---|---|
+//! | metadata `uchain` | the whole scenario in TOML, seed, version, place of the map; see [`About`] |
+//! | attachment `walls.csv` | the walls, corner by corner |
+//! | `/frame` | [`Frame`](crate::record::Frame), every bit, 20 per simulated second; `uchain.proto` |
+//! | `/metrics` | [`Moment`](crate::record::Moment), one per decision; `uchain.proto` |
+//! | `/tf` | `foxglove.FrameTransforms`: `scenario` → `map` → `uav_0`, `uav_1`, … |
+//! | `/poses` | `foxglove.PosesInFrame`, all UAVs |
+//! | `/tof/uav_0`, … | `foxglove.LaserScan`, the four beams |
+//! | `/hits` | `foxglove.PointCloud`, where beams ended |
+//! | `/map`, `/uavs`, `/links` | `foxglove.SceneUpdate`: walls and base once; bodies at every change; links, coloured by loss |
+//! | `/log` | `foxglove.Log`: take-offs, failures, contacts, links lost and found |
+//!
+//! `log_time` is simulated time (ns). Foxglove's messages come ten times per simulated second. Chunks hold 64 KiB and
+//! are not compressed: they compress to a third at best, and the compressors mcap knows are C libraries. Everything
+//! is covered by a checksum.
+
+mod about;
+mod message;
+mod read;
+mod schema;
+#[cfg(test)]
+mod tests;
+mod write;
+
+pub use about::About;
+pub use read::{End, Frames, PlayError, ReadError, Recording};
+pub use write::McapRecorder;
+
+use crate::record::TICKS_PER_S;
+
+/// Length of a tick (ns).
+const TICK_NS: u64 = 1_000_000_000 / TICKS_PER_S as u64;
+
+/// Topic of `uchain.Frame`.
+const FRAME_TOPIC: &str = "/frame";

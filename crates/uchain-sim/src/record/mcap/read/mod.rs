@@ -1,0 +1,140 @@
+//! Reads a recording back: frame by frame, for the same code that watches a live run.
+
+mod bytes;
+mod error;
+mod frames;
+mod records;
+
+use std::{
+    fs::File,
+    io::{BufReader, Read},
+    path::Path,
+};
+
+pub use error::ReadError;
+pub use frames::Frames;
+pub use records::End;
+
+use super::about::{self, About};
+use crate::{
+    analyse::{Digest, Metrics, Summary},
+    config::Course,
+    map::Map,
+    record::{Frame, RecordError, Recorder},
+};
+use records::{Item, Records};
+
+/// A recording, read from front to back. Memory: one record of the file, mostly a chunk of 64 KiB and never more than
+/// 64 MiB, and the walls.
+///
+/// Nothing is believed unchecked: a damaged file is refused at the damage, and the frames before it are those that
+/// were written. A file that was cut short is read to its last whole chunk; [`Frames::end`] tells.
+#[derive(Debug)]
+pub struct Recording<R> {
+    /// What it is of.
+    pub about: About,
+    /// The walls that were recorded.
+    pub walls: Map,
+    /// The frames that have not been read yet.
+    pub frames: Frames<R>,
+    label: String,
+}
+
+/// Why a recording was not played to its end.
+#[derive(Debug, thiserror::Error)]
+pub enum PlayError {
+    /// The file.
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    /// Whoever was shown the frames.
+    #[error(transparent)]
+    Record(#[from] RecordError),
+}
+
+impl Recording<BufReader<File>> {
+    /// Opens a file; messages call it by its path.
+    ///
+    /// # Errors
+    /// [`ReadError`].
+    pub fn open(path: &Path) -> Result<Self, ReadError> {
+        Self::read(BufReader::new(File::open(path)?), &path.display().to_string())
+    }
+}
+
+impl<R: Read> Recording<R> {
+    /// Begins to read; `label` names the recording in messages about its scenario.
+    ///
+    /// # Errors
+    /// [`ReadError`]: no MCAP file, not ours, or damaged where it begins.
+    pub fn read(input: R, label: &str) -> Result<Self, ReadError> {
+        let mut records = Records::new(input);
+        let (about, walls) = beginning(&mut records)?;
+        Ok(Self { about, walls, frames: Frames::new(records), label: label.to_owned() })
+    }
+
+    /// The course that was flown, in the walls that were recorded; map files are not read. Frames with another number
+    /// of UAVs are refused from here on.
+    ///
+    /// # Errors
+    /// [`ReadError::Scenario`]: a scenario that this version cannot fly.
+    pub fn course(&mut self) -> Result<Course, ReadError> {
+        let course = self.about.course(&self.label, self.walls.clone()).map_err(Box::new)?;
+        self.frames.expect_uavs(course.spawns.len());
+        Ok(course)
+    }
+
+    /// Plays what is left of the run and sums it up; `course` is its own. Of a whole run that is the summary the run
+    /// itself came to.
+    ///
+    /// # Errors
+    /// [`PlayError`].
+    pub fn summary(&mut self, course: &Course, recorder: &mut impl Recorder) -> Result<Summary, PlayError> {
+        let (mut metrics, mut digest) = (Metrics::new(course), Digest::default());
+        self.frames.play(&mut ((&mut metrics, &mut digest), recorder))?;
+        Ok(metrics.summary(self.about.seed, digest.hex()))
+    }
+}
+
+impl<R: Read> Frames<R> {
+    /// Shows a recorder what is left of the run, as the run itself did.
+    ///
+    /// # Errors
+    /// [`PlayError`].
+    pub fn play(&mut self, recorder: &mut impl Recorder) -> Result<(), PlayError> {
+        let mut frame = Frame::default();
+        while self.read(&mut frame)? {
+            recorder.frame(&frame)?;
+        }
+        Ok(())
+    }
+}
+
+/// What stands before the first chunk.
+fn beginning<R: Read>(records: &mut Records<R>) -> Result<(About, Map), ReadError> {
+    let not_ours = |why: String| ReadError::NotOurs { why };
+    let mut about = None;
+    loop {
+        let (found, walls) = match records.next()? {
+            Item::Metadata { name: about::METADATA, entries } => {
+                about =
+                    Some(About::from_entries(entries).map_err(|why| {
+                        not_ours(format!("the metadata record {:?}: {why}", about::METADATA))
+                    })?);
+                continue;
+            }
+            Item::Attachment { name: about::WALLS, data } => match about.take() {
+                Some(about) => (about, about::walls_from_csv(data)),
+                None => return Err(not_ours(format!("no metadata record {:?}", about::METADATA))),
+            },
+            Item::End(_) => return Err(ReadError::Empty { bytes: records.length() }),
+            _ => {
+                let missing = if about.is_none() { about::METADATA } else { about::WALLS };
+                return Err(not_ours(format!("it does not begin with the record {missing:?}")));
+            }
+        };
+        return match walls {
+            Ok(map) => Ok((found, map)),
+            Err(why) => Err(not_ours(format!("the attachment {:?}: {why}", about::WALLS))),
+        };
+    }
+}

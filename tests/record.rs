@@ -1,0 +1,191 @@
+use std::{fs, path::Path};
+
+use uchain_sim::{
+    config::Course,
+    draw,
+    record::{
+        Frame, History, LinkFrame, RecordError, Recorder,
+        mcap::{End, McapRecorder, ReadError, Recording},
+    },
+    replay,
+    run::run,
+};
+
+use crate::{course, shared_data};
+
+/// All frames of a run.
+#[derive(Default)]
+struct All(Vec<Frame>);
+
+impl Recorder for All {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        self.0.push(frame.clone());
+        Ok(())
+    }
+}
+
+fn recorded(course: &Course) -> (Vec<u8>, Vec<Frame>) {
+    let mut both = (McapRecorder::start(Vec::new(), course, 1).unwrap(), All::default());
+    run(course, 1, &mut both).unwrap();
+    (both.0.finish().unwrap(), both.1.0)
+}
+
+/// What comes out of a file: how it ended, or why it was refused, and after how many frames. Every one of them is the
+/// frame that was written, or the test ends here.
+fn read(file: &[u8], written: &[Frame], truth: &Recording<&[u8]>) -> (Result<End, ReadError>, usize) {
+    let mut recording = match Recording::read(file, "memory") {
+        Ok(recording) => recording,
+        Err(error) => return (Err(error), 0),
+    };
+    assert_eq!(recording.about, truth.about);
+    assert_eq!(recording.walls.walls(), truth.walls.walls());
+    let (mut frame, mut frames) = (Frame::default(), 0);
+    loop {
+        match recording.frames.read(&mut frame) {
+            Ok(true) => assert_eq!(Some(&frame), written.get(frames), "frame {frames}"),
+            Ok(false) => return (Ok(recording.frames.end().unwrap()), frames),
+            Err(error) => return (Err(error), frames),
+        }
+        frames += 1;
+    }
+}
+
+#[test]
+fn recording_changes_no_bit_of_a_run() {
+    let course = course("corner", &["duration_s=60"]);
+    let alone = run(&course, 1, &mut ()).unwrap();
+    let mut recorder = McapRecorder::start(Vec::new(), &course, 1).unwrap();
+    assert_eq!(run(&course, 1, &mut recorder).unwrap(), alone);
+    let file = recorder.finish().unwrap();
+    let mut recording = Recording::read(file.as_slice(), "memory").unwrap();
+    assert_eq!(recording.summary(&course, &mut ()).unwrap(), alone, "and reading it back sums up the same");
+}
+
+#[test]
+fn a_file_that_ends_at_any_byte_is_read_up_to_its_last_whole_chunk() {
+    let course = course("straight", &["duration_s=2", "chain.uavs=1"]);
+    let (file, written) = recorded(&course);
+    let truth = Recording::read(file.as_slice(), "memory").unwrap();
+    let mut most = 0;
+    for length in 0..file.len() {
+        let (ended, frames) = read(&file[..length], &written, &truth);
+        match ended {
+            Ok(end) => assert_eq!(end, End::CutShort, "{length} bytes"),
+            Err(ReadError::Empty { bytes }) => assert_eq!((bytes, frames), (length as u64, 0)),
+            Err(error) => panic!("{length} bytes: {error}"),
+        }
+        assert!(frames >= most, "{length} bytes: {frames} frames, {most} of fewer bytes");
+        most = frames;
+    }
+    assert_eq!(most, written.len());
+    assert_eq!(read(&file, &written, &truth).0.unwrap(), End::Whole);
+}
+
+/// Pseudo-random numbers below a bound, the same in every run of the test.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) % bound as u64) as usize
+    }
+}
+
+#[test]
+fn no_flipped_bit_makes_another_frame() {
+    let course = course("corner", &["duration_s=12"]);
+    let (file, written) = recorded(&course);
+    let truth = Recording::read(file.as_slice(), "memory").unwrap();
+    let mut dice = Dice(1);
+    let (mut refused, mut cut_short) = (0, 0);
+    for i in 0..10_000 {
+        // Every fourth file is that of a run that was killed: it has no checksum over all of it.
+        let length = if i % 4 == 0 { file.len() / 2 + dice.below(file.len() / 2) } else { file.len() };
+        let mut flipped = file[..length].to_vec();
+        flipped[dice.below(length)] ^= 1 << dice.below(8);
+        match read(&flipped, &written, &truth).0 {
+            Ok(End::Whole) => panic!("flip {i} went unnoticed"),
+            Ok(End::CutShort) => cut_short += 1,
+            Err(_) => refused += 1,
+        }
+    }
+    println!("{} bytes: {refused} flips refused, {cut_short} files taken as cut short", file.len());
+    assert!(refused > 7000, "{refused}");
+}
+
+#[test]
+fn recordings_of_others_are_refused_in_words() {
+    let Some(data) = shared_data() else { return };
+    let expected = [
+        (
+            "mcap/chunk_not_closed.mcap",
+            "the record at byte 39 has 18446744073709551615 bytes: expected at most",
+        ),
+        ("mcap/compressed.mcap", "the chunk at byte 61 is compressed (zstd)"),
+        ("mcap/damaged/truncated_at_300000.mcap", "the chunk at byte 61 is compressed (zstd)"),
+        ("mcap/damaged/one_byte_flipped_at_200000.mcap", "the chunk at byte 61 is compressed (zstd)"),
+        ("mcap/../maps/ros/willow/willow-full-0.05.pgm", "not an MCAP file"),
+        ("mcap/absent.mcap", "cannot read: No such file"),
+    ];
+    for (name, words) in expected {
+        let error = Recording::open(&data.join(name)).map(drop).unwrap_err().to_string();
+        assert!(error.contains(words), "{name}: {error}");
+    }
+}
+
+#[test]
+fn a_run_on_a_map_file_is_flown_again_without_the_file() {
+    let Some(data) = shared_data() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let from = data.join("maps/ros/f1tenth");
+    for name in ["stata_basement.yaml", "stata_basement.png"] {
+        fs::copy(from.join(name), folder.path().join(name)).unwrap();
+    }
+    let file = format!("map.ros.file={:?}", folder.path().join("stata_basement.yaml"));
+    let (recording, _) = recorded(&course("stata", &[&file, "duration_s=10"]));
+    let place = folder.path().to_owned();
+    drop(folder);
+    assert!(!Path::new(&place).exists());
+    let verdict = replay::verify(&mut Recording::read(recording.as_slice(), "memory").unwrap()).unwrap();
+    assert!(verdict.agrees() && verdict.ticks == 200, "{verdict:?}");
+}
+
+/// Replaces what a run came to by numbers from the edge of what a file may hold.
+struct Wild(McapRecorder<Vec<u8>>, Dice);
+
+impl Recorder for Wild {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        let mut frame = frame.clone();
+        let numbers = [0.0, -0.0, f32::MIN_POSITIVE, 1e-30, 0.05, 1.0, 60.0, 99.9, 1e4, 1e6, -1e6];
+        let mut any = || numbers[self.1.below(numbers.len())];
+        for uav in &mut frame.uavs {
+            (uav.x_m, uav.y_m, uav.heading_rad) = (any(), any(), any());
+            (uav.forward_mps, uav.lateral_mps, uav.yaw_rate_radps) = (any(), any(), any());
+            uav.airborne = any() > 0.0;
+            (uav.wall_contacts, uav.uav_contacts) = (4_000_000, 4_000_000);
+        }
+        frame.links = (0..frame.uavs.len())
+            .map(|_| LinkFrame { uav: self.1.below(4), true_db: 1e6, filtered_db: Some(-1e6) })
+            .collect();
+        frame.head_reach_m = 1e9;
+        frame.decision = true;
+        self.0.frame(&frame)
+    }
+}
+
+#[test]
+fn a_whole_file_of_impossible_numbers_is_summed_up_drawn_and_refuted() {
+    let course = course("corner", &["duration_s=12"]);
+    for seed in 0..20 {
+        let mut wild = Wild(McapRecorder::start(Vec::new(), &course, 1).unwrap(), Dice(seed));
+        run(&course, 1, &mut wild).unwrap();
+        let file = wild.0.finish().unwrap();
+        let mut recording = Recording::read(file.as_slice(), "memory").unwrap();
+        let mut history = History::default();
+        let summary = recording.summary(&course, &mut history).unwrap();
+        draw::run_png(&course, &history, &summary).unwrap();
+        assert_eq!(history.frames.len(), 240);
+        let verdict = replay::verify(&mut Recording::read(file.as_slice(), "memory").unwrap()).unwrap();
+        assert_eq!(verdict.first.unwrap().tick, 1);
+    }
+}
