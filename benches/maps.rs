@@ -34,7 +34,7 @@ pub(crate) fn clutter(walls: usize) -> Map {
     let mut random = Seed(3).stream(0, Source::Start);
     let mut between = |low: f32, high: f32| low + (high - low) * random.uniform();
     let obstacles = walls / 4 - 1;
-    let across = (1..).find(|n| n * n >= obstacles).unwrap_or(1);
+    let across = (1..=obstacles).find(|n| n * n >= obstacles).unwrap_or(1);
     let side_m = 4.0 * across as f32;
     let mut loops = vec![vec![Vec2::ZERO, vec2(side_m, 0.0), vec2(side_m, side_m), vec2(0.0, side_m)]];
     for k in 0..obstacles {

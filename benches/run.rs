@@ -55,16 +55,16 @@ fn chains(criterion: &mut Criterion) {
 /// 2.1 km of zig-zag, 1.2 m wide, 420 walls.
 fn long_tunnel(uavs: usize) -> Course {
     let corner = |i: usize| [10.0 * i as f64, if i.is_multiple_of(2) { 0.0 } else { 3.0 }];
-    let length_m = 10.0_f64.hypot(3.0);
+    let length_m = libm::hypot(10.0, 3.0);
     let place = |along_m: f64| {
         let (leg, rest) = ((along_m / length_m) as usize, along_m % length_m / length_m);
         let (from, to) = (corner(leg), corner(leg + 1));
         [from[0] + rest * (to[0] - from[0]), from[1] + rest * (to[1] - from[1])]
     };
-    let mut text = format!(
+    let mut text = String::from(
         "name = \"long-tunnel\"\nduration_s = 60.0\n\
-         takeoff = {{ s_min_db = -50.0, launch_hold_s = 0.0, after_previous_s = 0.0 }}\n\
-         [map.corridor]\nwidth_m = 1.2\ncentre_line_m = ["
+         takeoff = { s_min_db = -50.0, launch_hold_s = 0.0, after_previous_s = 0.0 }\n\
+         [map.corridor]\nwidth_m = 1.2\ncentre_line_m = [",
     );
     (0..=201).map(corner).for_each(|[x, y]| write!(text, "[{x}, {y}], ").expect("into a String"));
     let heading_deg = libm::atan2(3.0, 10.0).to_degrees();
