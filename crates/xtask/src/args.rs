@@ -18,14 +18,22 @@ pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> 
         return Ok(Wish::Help);
     }
     if args[0] != "test" {
-        return Err(format!("unknown task `{}`", args[0]));
+        return Err(format!("unknown task `{}`{}", args[0], meant(&args[0], &["test", "help"])));
     }
     let named = &args[1..];
     if let Some(unknown) = named.iter().find(|name| STEPS.iter().all(|s| s.name != **name)) {
-        return Err(format!("unknown step `{unknown}`"));
+        let steps: Vec<&str> = STEPS.iter().map(|step| step.name).collect();
+        return Err(format!("unknown step `{unknown}`{}", meant(unknown, &steps)));
     }
     let wanted = |s: &&Step| named.is_empty() || named.iter().any(|name| s.name == *name);
     Ok(Wish::Test(STEPS.iter().filter(wanted).collect()))
+}
+
+/// A question for the name that is nearest to a word, if it is near enough.
+fn meant(word: &str, known: &[&str]) -> String {
+    let edits = |name: &&&str| strsim::damerau_levenshtein(word, name);
+    let near = known.iter().min_by_key(edits).filter(|name| edits(name) <= 1 + name.len() / 3);
+    near.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default()
 }
 
 pub(crate) fn help() -> String {
@@ -61,9 +69,10 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_step_is_an_error_that_names_it() {
-        assert_eq!(names(&["test", "clipy"]), Err("unknown step `clipy`".into()));
-        assert_eq!(names(&["tset"]), Err("unknown task `tset`".into()));
+    fn an_unknown_step_is_an_error_that_names_it_and_the_nearest_one() {
+        assert_eq!(names(&["test", "clipy"]), Err("unknown step `clipy`; did you mean `clippy`?".into()));
+        assert_eq!(names(&["tset"]), Err("unknown task `tset`; did you mean `test`?".into()));
+        assert_eq!(names(&["test", "everything"]), Err("unknown step `everything`".into()));
         assert_eq!(names(&["test", "--help"]), Ok(vec!["help"]));
     }
 }
