@@ -21,7 +21,7 @@ const TABLE: [(Exit, &str); 5] = [
     (Exit::Ok, "ok"),
     (Exit::RunFailed, "run failed, or its results could not be written"),
     (Exit::Usage, "usage: wrong arguments, or an output folder that is not to be touched"),
-    (Exit::InputInvalid, "input invalid: scenario or map; nothing is written"),
+    (Exit::InputInvalid, "input invalid: scenario, map or a name that nobody knows; nothing is written"),
     (Exit::Interrupted, "interrupted (Ctrl-C); nothing is written"),
 ];
 

@@ -12,22 +12,19 @@ use crate::{
     args::Run,
     exit::Failure,
     output::{Folder, RUN},
-    print,
     report::Report,
     watch::{Watch, interrupted, listen_for_interrupt},
 };
 
 pub(crate) fn fly(asked: &Run) -> Result<(), Failure> {
     let source = Source::find(&asked.scenario)?;
-    let course = Course::read(&source, &asked.set)?;
-    let folder = match &asked.out {
-        Some(path) => Folder::chosen(path, asked.force)?,
-        None => Folder::ours("runs", &format!("{}-s{}", course.scenario.name, asked.seed)),
-    };
+    let course = Course::read(&source, &asked.sets.set)?;
+    let ours = || Folder::ours("runs", &format!("{}-s{}", course.scenario.name, asked.seed));
+    let folder = asked.out.folder(ours)?;
 
     listen_for_interrupt();
     let ticks = total_ticks(course.scenario.duration_s);
-    let mut watch = Watch::new(course.spawns.len(), ticks, !(asked.quiet || asked.json));
+    let mut watch = Watch::new(course.spawns.len(), ticks, asked.say.progress());
     let (summary, wall_s) = timed(&course, asked.seed, &mut watch)?;
     let picture = draw::run_png(&course, &watch.into_history(), &summary)?;
     let report = Report::new(&summary, wall_s);
@@ -36,14 +33,7 @@ pub(crate) fn fly(asked: &Run) -> Result<(), Failure> {
         return Err(Failure::Interrupted);
     }
     folder.write(&RUN, json.as_bytes(), &picture)?;
-
-    if asked.json {
-        print(&json)
-    } else if asked.quiet {
-        Ok(())
-    } else {
-        print(&report.text(&folder.says(&RUN)))
-    }
+    asked.say.result(&json, || report.text(&folder.says(&RUN)))
 }
 
 /// Flies, and says how long that took (s).
