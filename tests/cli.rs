@@ -1,5 +1,11 @@
 //! The real binary: exit codes, files, messages.
 
+/// Colour and other bytes for terminals.
+#[path = "cli/colour.rs"]
+mod colour;
+/// What a beginner mistypes.
+#[path = "cli/hints.rs"]
+mod hints;
 /// A Ctrl-C, a reader that went away.
 #[path = "cli/interrupt.rs"]
 mod interrupt;
@@ -12,6 +18,12 @@ mod preset;
 /// Recordings: `inspect`, `verify`, `diff`, and runs that do not end.
 #[path = "cli/record.rs"]
 mod record;
+/// The JSON Schema against a validator that is not ours.
+#[path = "cli/schema.rs"]
+mod schema;
+/// Help, explanations, completions, manual pages.
+#[path = "cli/teach.rs"]
+mod teach;
 
 use std::{
     fs,
@@ -258,19 +270,4 @@ fn list_show_and_check_lead_from_a_name_to_a_file_of_ones_own() {
     assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
     assert!(stdout(&check).starts_with("ok: corner: "), "{}", stdout(&check));
     assert!(stdout(&check).contains(" UAVs, ") && stdout(&check).contains(" walls, "), "{}", stdout(&check));
-}
-
-#[test]
-fn help_teaches_by_examples_and_lists_the_exit_codes() {
-    let here = folder();
-    let help = uchain(here.path(), &["--help"]);
-    assert_eq!(help.status.code(), Some(0));
-    for part in ["uchain run corner", "uchain plan corner", "Exit codes:", "130  interrupted"] {
-        assert!(stdout(&help).contains(part), "{part}: {}", stdout(&help));
-    }
-    assert!(stdout(&uchain(here.path(), &["run", "--help"])).contains("--set takeoff.s_min_db=55"));
-    assert_eq!(
-        stdout(&uchain(here.path(), &["--version"])),
-        concat!("uchain ", env!("CARGO_PKG_VERSION"), "\n")
-    );
 }

@@ -1,52 +1,21 @@
-//! What may be asked. clap lives here only.
+//! What may be asked. clap lives here and in `teach` only.
+
+mod plan;
+mod text;
 
 use std::{ffi::OsString, path::PathBuf, process::ExitCode};
 
-use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
-
-use uchain_sim::config::UAVS_MAX;
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueHint};
+use clap_complete::Shell;
 
 use crate::{
-    exit::{self, Exit},
-    recording,
+    exit::{self, Exit, Failure},
+    output::Folder,
+    print, recording, teach,
 };
+pub(crate) use plan::Plan;
 
-const EXAMPLES: &str = "\
-Examples:
-  uchain list                                what is there to fly
-  uchain run corner                          fly it; results in runs/corner-s1
-  uchain run corner --seed 7 --set chain.uavs=5 --set radio.sigma_db=0
-  uchain run corner --set preset=cavemod     with the values of the authors' firmware
-  uchain inspect runs/corner-s1/run.mcap     look into a recording
-  uchain verify runs/corner-s1/run.mcap      fly it again: still the same, bit for bit?
-  uchain plan corner                         how many UAVs does it need? (flies nothing)
-  uchain show corner > mine.toml             copy a scenario and edit it
-  uchain show --preset cavemod               what is in a preset
-  uchain check mine.toml                     is it right? (flies nothing)
-  uchain run ./mine.toml --out results/a --json | jq .spread_db
-";
-
-const RUN_EXAMPLES: &str = "\
-Examples:
-  uchain run corner
-  uchain run corner --seed 7 --set takeoff.s_min_db=55 --set 'pilot.0.follow=left'
-  uchain run ./mine.toml --out results/a --json
-
-Writes run.mcap while it flies (open it in Foxglove or Rerun), then summary.json and run.png. A run that is
-stopped leaves run.mcap, readable up to there. Same scenario, same seed: same digest, bit for bit.
-";
-
-const PLAN_EXAMPLES: &str = "\
-Examples:
-  uchain plan corner
-  uchain plan ./mine.toml --to 40 --uavs 6 --set takeoff.s_min_db=65
-  uchain plan basement.yaml --base=-50.15,34.03 --goal=-3,25.7 --speed 0.1
-
-A bare ROS map (map_server's yaml) needs --base and --goal, in the map's own frame; everything else
-has a default. Writes plan.json and plan.png.
-";
-
-const SET_HELP: &str =
+const SET: &str =
     "Write one value over the scenario's, such as chain.uavs=5 or pilot.0.speed_mps=0.1 (repeatable)";
 
 /// Fly a chain of UAVs that keep a radio link through a tunnel, and look at what it came to.
@@ -69,10 +38,12 @@ pub(crate) enum Command {
     /// Where two recordings part, and how far
     Diff(recording::Diff),
     /// How many UAVs does a tunnel need, and for how long? (flies nothing)
-    Plan(Plan),
+    Plan(Box<Plan>),
     /// List the scenarios and the presets that are built in
+    #[command(after_help = text::LIST)]
     List,
     /// Print the TOML of a scenario or a preset, to copy and edit
+    #[command(after_help = text::SHOW)]
     Show {
         /// Name of a built-in scenario
         #[arg(value_name = "NAME", required_unless_present = "preset")]
@@ -82,88 +53,128 @@ pub(crate) enum Command {
         preset: Option<String>,
     },
     /// Read a scenario and its map, lay everything out, fly nothing
+    #[command(after_help = text::CHECK)]
     Check {
         /// Path of a scenario file, or name of a built-in scenario
-        #[arg(value_name = "FILE|NAME")]
+        #[arg(value_name = "FILE|NAME", value_hint = ValueHint::FilePath)]
         scenario: String,
-        #[arg(long, value_name = "KEY=VALUE", value_parser = assignment, help = SET_HELP)]
-        set: Vec<String>,
+        #[command(flatten)]
+        sets: Sets,
+        #[command(flatten)]
+        quiet: Quiet,
+    },
+    /// What a key of a scenario means: unit, range, default, equation, source
+    #[command(after_help = text::EXPLAIN)]
+    Explain {
+        #[arg(
+            help = "A key (radio.alpha_wall, or alpha_wall alone) or a table (radio) [default: list all keys]"
+        )]
+        key: Option<String>,
+    },
+    /// Print the JSON Schema of scenario files, for editors
+    #[command(after_help = text::SCHEMA)]
+    Schema,
+    /// Print what makes a shell complete commands, options, scenarios and keys
+    #[command(after_help = text::COMPLETIONS)]
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+    /// Print the manual page, or write one for every command
+    #[command(after_help = text::MAN)]
+    Man {
+        /// Folder for the pages: uchain.1, uchain-run.1 and so on; same names are overwritten
+        #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+        out: Option<PathBuf>,
     },
 }
 
 /// One flight.
 #[derive(Debug, Args)]
-#[command(after_help = RUN_EXAMPLES)]
+#[command(after_help = text::RUN)]
+#[command(mut_arg("out", |out| out.help("Folder for the results [default: runs/<scenario>-s<seed>, overwritten]")))]
+#[command(mut_arg("json", |json| json.help("Print the summary as JSON on stdout, and nothing else there")))]
 pub(crate) struct Run {
     /// Name of a built-in scenario, or path of a file (holds a / or ends in .toml)
-    #[arg(value_name = "NAME|FILE")]
+    #[arg(value_name = "NAME|FILE", value_hint = ValueHint::FilePath)]
     pub(crate) scenario: String,
     /// Seed of all noise in the run
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = seed)]
     pub(crate) seed: u64,
-    /// Folder for the results [default: runs/<scenario>-s<seed>, overwritten]
-    #[arg(long, value_name = "DIR")]
-    pub(crate) out: Option<PathBuf>,
-    /// Write into --out even if it holds something else; only our own files are replaced
-    #[arg(long)]
-    pub(crate) force: bool,
-    #[arg(long, value_name = "KEY=VALUE", value_parser = assignment, help = SET_HELP)]
-    pub(crate) set: Vec<String>,
+    #[command(flatten)]
+    pub(crate) out: Out,
+    #[command(flatten)]
+    pub(crate) sets: Sets,
     #[command(flatten)]
     pub(crate) recording: recording::Choice,
-    /// Print the summary as JSON on stdout, and nothing else there
-    #[arg(long)]
-    pub(crate) json: bool,
-    /// No progress and no summary; files and errors only
-    #[arg(long)]
-    pub(crate) quiet: bool,
+    #[command(flatten)]
+    pub(crate) say: Say,
 }
 
-/// One plan.
+/// Where results go.
 #[derive(Debug, Args)]
-#[command(after_help = PLAN_EXAMPLES)]
-pub(crate) struct Plan {
-    /// Name of a built-in scenario, path of a scenario file, or of a ROS map (ends in .yaml)
-    #[arg(value_name = "NAME|FILE|MAP")]
-    pub(crate) what: String,
-    /// How deep the head is to go [default: as deep as the tunnel is known]
-    #[arg(long, value_name = "M", value_parser = length, allow_hyphen_values = true)]
-    pub(crate) to: Option<f64>,
-    /// Distance between the rows [default: 10 to 20 rows, finer in the files]
-    #[arg(long, value_name = "M", value_parser = length, allow_hyphen_values = true)]
-    pub(crate) step: Option<f64>,
-    /// UAVs at hand, the head included [default: the scenario's; for a bare map as many as it takes]
-    #[arg(long, value_name = "N", value_parser = uavs, allow_hyphen_values = true)]
-    pub(crate) uavs: Option<usize>,
-    /// Speed of the head [default: the scenario's; for a bare map 0.2]
-    #[arg(long, value_name = "MPS", value_parser = speed, allow_hyphen_values = true)]
-    pub(crate) speed: Option<f32>,
-    #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true, help = "Where the base station stands (short for --set chain.base_m=[X, Y])")]
-    pub(crate) base: Option<[f64; 2]>,
-    #[arg(
-        long,
-        value_name = "DEG",
-        value_parser = angle,
-        allow_hyphen_values = true,
-        help = "Direction of the tunnel at the base (short for --set chain.heading_deg=DEG)"
-    )]
-    pub(crate) heading: Option<f64>,
-    #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true, help = "The deepest place the head may be sent to (short for --set chain.goal_m=[X, Y])")]
-    pub(crate) goal: Option<[f64; 2]>,
-    /// Folder for the results [default: plans/<name>, overwritten]
-    #[arg(long, value_name = "DIR")]
-    pub(crate) out: Option<PathBuf>,
+pub(crate) struct Out {
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    out: Option<PathBuf>,
     /// Write into --out even if it holds something else; only our own files are replaced
     #[arg(long)]
-    pub(crate) force: bool,
-    #[arg(long, value_name = "KEY=VALUE", value_parser = assignment, help = SET_HELP)]
+    force: bool,
+}
+
+impl Out {
+    /// The folder asked for, if one was.
+    pub(crate) fn chosen(&self) -> Result<Option<Folder>, Failure> {
+        self.out.as_ref().map(|path| Folder::chosen(path, self.force)).transpose()
+    }
+
+    /// The folder asked for, else one of our own.
+    pub(crate) fn folder(&self, ours: impl FnOnce() -> Folder) -> Result<Folder, Failure> {
+        Ok(self.chosen()?.unwrap_or_else(ours))
+    }
+}
+
+/// What is written over a scenario.
+#[derive(Debug, Args)]
+pub(crate) struct Sets {
+    #[arg(long, value_name = "KEY=VALUE", value_parser = assignment, help = SET)]
     pub(crate) set: Vec<String>,
-    /// Print the whole plan as JSON on stdout, and nothing else there
+}
+
+/// How a result is told.
+#[derive(Debug, Args)]
+#[command(mut_arg("quiet", |quiet| quiet.help("Print errors only: no progress, no report (--json still prints)")))]
+pub(crate) struct Say {
     #[arg(long)]
-    pub(crate) json: bool,
-    /// No progress and no table; files and errors only
+    json: bool,
+    #[command(flatten)]
+    quiet: Quiet,
+}
+
+impl Say {
+    /// Whether to show how far the work has come.
+    pub(crate) fn progress(&self) -> bool {
+        !(self.quiet.quiet || self.json)
+    }
+
+    /// Prints the result for programs, for people, or not at all.
+    pub(crate) fn result(&self, json: &str, text: impl FnOnce() -> String) -> Result<(), Failure> {
+        if self.json { print(json) } else { self.quiet.report(text) }
+    }
+}
+
+/// Whether anything is told.
+#[derive(Debug, Args)]
+pub(crate) struct Quiet {
+    /// Print errors only
     #[arg(long)]
-    pub(crate) quiet: bool,
+    quiet: bool,
+}
+
+impl Quiet {
+    /// Prints, unless asked not to.
+    pub(crate) fn report(&self, text: impl FnOnce() -> String) -> Result<(), Failure> {
+        if self.quiet { Ok(()) } else { print(&text()) }
+    }
 }
 
 /// A command line, taken apart.
@@ -174,18 +185,27 @@ pub(crate) enum Asked {
     Answered(ExitCode),
 }
 
+/// The whole grammar, with all its help.
+pub(crate) fn grammar() -> clap::Command {
+    Cli::command().after_help(format!("{}\n{}", text::TOP, exit::table()))
+}
+
 /// Takes a command line apart; the first argument is the program's name.
 pub(crate) fn parse(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> Asked {
-    let command = Cli::command().after_help(format!("{EXAMPLES}\n{}", exit::table()));
-    match command.try_get_matches_from(args).and_then(|matches| Cli::from_arg_matches(&matches)) {
+    let args: Vec<OsString> = args.into_iter().map(Into::into).collect();
+    match grammar().try_get_matches_from(&args).and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => Asked::Command(cli.command),
         Err(answer) => {
-            // A reader that went away has seen enough.
-            let _ = answer.print();
             let exit = if answer.use_stderr() { Exit::Usage } else { Exit::Ok };
+            // A reader that went away has seen enough.
+            let _ = teach::advise(answer, &args).print();
             Asked::Answered(exit.code())
         }
     }
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("expected a whole number from 0 to {}", u64::MAX))
 }
 
 fn assignment(text: &str) -> Result<String, String> {
@@ -193,33 +213,4 @@ fn assignment(text: &str) -> Result<String, String> {
         Some((key, _)) if !key.trim().is_empty() => Ok(text.to_owned()),
         _ => Err("expected key=value, such as equalize.v_max_mps=0.2".to_owned()),
     }
-}
-
-fn point(text: &str) -> Result<[f64; 2], String> {
-    let number = |part: &str| part.trim().parse().ok().filter(|value: &f64| value.is_finite());
-    let numbers: Vec<Option<f64>> = text.trim_matches(['[', ']']).split(',').map(number).collect();
-    match numbers.as_slice() {
-        [Some(x_m), Some(y_m)] => Ok([*x_m, *y_m]),
-        _ => Err("expected X,Y in metres, such as --base=-50.15,34.03".to_owned()),
-    }
-}
-
-fn length(text: &str) -> Result<f64, String> {
-    let length_m = text.parse().ok().filter(|length_m: &f64| length_m.is_finite() && *length_m > 0.0);
-    length_m.ok_or_else(|| "expected a length in metres, more than 0".to_owned())
-}
-
-fn uavs(text: &str) -> Result<usize, String> {
-    let uavs = text.parse().ok().filter(|uavs| (1..=UAVS_MAX).contains(uavs));
-    uavs.ok_or_else(|| format!("expected a whole number from 1 to {UAVS_MAX}"))
-}
-
-fn angle(text: &str) -> Result<f64, String> {
-    let angle_deg = text.parse().ok().filter(|angle_deg: &f64| angle_deg.abs() <= 360.0);
-    angle_deg.ok_or_else(|| "expected an angle in degrees, from -360 to 360".to_owned())
-}
-
-fn speed(text: &str) -> Result<f32, String> {
-    let speed_mps = text.parse().ok().filter(|speed_mps| *speed_mps > 0.0 && *speed_mps <= 1.0);
-    speed_mps.ok_or_else(|| "expected a speed in m/s, more than 0 and at most 1".to_owned())
 }

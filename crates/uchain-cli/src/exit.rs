@@ -34,7 +34,10 @@ const TABLE: [(Exit, &str); 6] = [
     (Exit::Ok, "ok"),
     (Exit::RunFailed, "run failed, or its results could not be written"),
     (Exit::Usage, "usage: wrong arguments, or an output folder that is not to be touched"),
-    (Exit::InputInvalid, "input invalid: scenario, map or recording; nothing is written"),
+    (
+        Exit::InputInvalid,
+        "input invalid: scenario, map, recording or a name that nobody knows; nothing is written",
+    ),
     (Exit::Differ, "verify, diff: the flights differ"),
     (Exit::Interrupted, "interrupted (Ctrl-C); nothing is written but the recording up to there"),
 ];

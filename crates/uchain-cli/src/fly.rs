@@ -12,7 +12,6 @@ use crate::{
     args::Run,
     exit::Failure,
     output::{Folder, Names, RUN},
-    print,
     recording::Tape,
     report::Report,
     watch::{Watch, interrupted, listen_for_interrupt},
@@ -20,15 +19,13 @@ use crate::{
 
 pub(crate) fn fly(asked: &Run) -> Result<(), Failure> {
     let source = Source::find(&asked.scenario)?;
-    let course = Course::read(&source, &asked.set)?;
-    let folder = match &asked.out {
-        Some(path) => Folder::chosen(path, asked.force)?,
-        None => Folder::ours("runs", &format!("{}-s{}", course.scenario.name, asked.seed)),
-    };
+    let course = Course::read(&source, &asked.sets.set)?;
+    let ours = || Folder::ours("runs", &format!("{}-s{}", course.scenario.name, asked.seed));
+    let folder = asked.out.folder(ours)?;
 
     listen_for_interrupt();
     let ticks = total_ticks(course.scenario.duration_s);
-    let mut watch = Watch::new(course.spawns.len(), ticks, !(asked.quiet || asked.json));
+    let mut watch = Watch::new(course.spawns.len(), ticks, asked.say.progress());
     let names = Names { recording: RUN.recording.filter(|_| asked.recording.wanted()), ..RUN };
     let tape = names.recording.map(|name| Tape::begin(&folder, name, &course, asked.seed));
     let mut tape = tape.transpose()?;
@@ -46,14 +43,7 @@ pub(crate) fn fly(asked: &Run) -> Result<(), Failure> {
         return Err(Failure::Interrupted);
     }
     folder.write(&names, json.as_bytes(), &picture)?;
-
-    if asked.json {
-        print(&json)
-    } else if asked.quiet {
-        Ok(())
-    } else {
-        print(&report.text(&folder.says(&names)))
-    }
+    asked.say.result(&json, || report.text(&folder.says(&names)))
 }
 
 /// Flies, and says how long that took (s).

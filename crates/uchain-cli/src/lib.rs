@@ -1,4 +1,5 @@
-//! uchain on the command line: reads a scenario, flies it, leaves a summary, a picture and a recording.
+//! uchain on the command line: reads a scenario, flies it, leaves a summary, a picture and a recording; and tells what
+//! every key of a scenario means.
 //!
 //! A library, so that other front ends (a wheel's console script) can call [`main_with`].
 
@@ -9,6 +10,7 @@ mod output;
 mod plan;
 mod recording;
 mod report;
+mod teach;
 mod watch;
 
 use std::{
@@ -35,8 +37,9 @@ pub fn main_with(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
         // What differs has been said.
         Err(failure @ Failure::Differ) => failure.exit().code(),
         Err(failure) => {
+            let hint = teach::hint(&failure).map(|hint| format!("hint: {hint}\n")).unwrap_or_default();
             // Nobody is left to tell when stderr is gone.
-            let _ = writeln!(io::stderr(), "error: {failure}");
+            let _ = write!(io::stderr(), "error: {failure}\n{hint}");
             failure.exit().code()
         }
     }
@@ -52,19 +55,28 @@ fn obey(command: Command) -> Result<(), Failure> {
         Command::List => print(&list()?),
         Command::Show { preset: Some(name), .. } => print(Preset::find(&name)?.text),
         Command::Show { scenario, .. } => print(&Source::find(&scenario.unwrap_or_default())?.text),
-        Command::Check { scenario, set } => {
-            let course = Course::read(&Source::find(&scenario)?, &set)?;
-            let uavs = course.spawns.len();
-            let preset = course.scenario.preset.map(|name| format!(", preset {name}")).unwrap_or_default();
-            print(&format!(
-                "ok: {}{preset}: {uavs} UAV{}, {} walls, {} s\n",
-                course.scenario.name,
-                if uavs == 1 { "" } else { "s" },
-                course.map.walls().len(),
-                course.scenario.duration_s,
-            ))
+        Command::Check { scenario, sets, quiet } => {
+            let course = Course::read(&Source::find(&scenario)?, &sets.set)?;
+            quiet.report(|| checked(&course))
         }
+        Command::Explain { key } => teach::explain(key.as_deref()),
+        Command::Schema => teach::schema(),
+        Command::Completions { shell } => teach::completions(shell),
+        Command::Man { out } => teach::man(out.as_deref()),
     }
+}
+
+/// What a scenario comes to, in one line.
+fn checked(course: &Course) -> String {
+    let uavs = course.spawns.len();
+    let preset = course.scenario.preset.as_ref().map(|name| format!(", preset {name}")).unwrap_or_default();
+    format!(
+        "ok: {}{preset}: {uavs} UAV{}, {} walls, {} s\n",
+        course.scenario.name,
+        if uavs == 1 { "" } else { "s" },
+        course.map.walls().len(),
+        course.scenario.duration_s,
+    )
 }
 
 /// Name and description of every scenario and preset that is compiled in.

@@ -7,7 +7,7 @@ pub struct Key {
     pub name: &'static str,
     /// Smallest and largest legal value, both included; `None` where any value of the type is legal.
     pub range: Option<(f64, f64)>,
-    /// Meaning, symbol, unit and source, as in the field's doc comment.
+    /// The field's doc comment, line by line: meaning and unit, then a list of symbol, equation and source.
     pub doc: &'static str,
 }
 
@@ -34,15 +34,22 @@ impl core::error::Error for OutOfRange {}
 
 /// Declares a struct of tunables.
 ///
-/// Each line is `pub name: Type = default, in low..=high;` (the range is left out for switches and
-/// choices). The struct gets `Default`, `KEYS` ([`Key`] per field) and `check`, which returns the first
-/// field outside its range. Attributes (a serde derive, say) are passed on.
+/// Each line is `pub name: Type = default, in low..=high;`. The range is left out for switches, choices and
+/// whatever is not a single number. If every field has a default, the struct gets `Default`. It also gets `KEYS`
+/// ([`Key`] per field) and `check`, which returns the first field outside its range; and, with the feature `schema`
+/// of the crate that declares it, a JSON Schema with the same ranges. Attributes of the struct (a serde derive, say)
+/// are passed on, of a field `#[serde(…)]` and `#[schemars(…)]`, in this order.
+///
+/// A field's doc comment is also its help text: what it means, with the unit in parentheses, then a list with
+/// "Symbol:", "Equation:" and "Source:", as far as there are any.
 ///
 /// ```
 /// uchain_core::params! {
 ///     /// Gains of a law.
 ///     pub struct GainParams {
 ///         /// Proportional gain (1/s).
+///         /// - Symbol: k
+///         /// - Source: a textbook
 ///         pub gain_per_s: f32 = 0.5, in 0.0..=10.0;
 ///     }
 /// }
@@ -51,26 +58,35 @@ impl core::error::Error for OutOfRange {}
 /// assert!(GainParams { gain_per_s: f32::NAN }.check().is_err());
 /// assert!(GainParams { gain_per_s: 10.0 }.check().is_ok());
 /// assert_eq!(GainParams::KEYS[0].name, "gain_per_s");
+/// assert!(GainParams::KEYS[0].doc.ends_with(" - Symbol: k\n - Source: a textbook\n"));
 /// ```
 #[macro_export]
 macro_rules! params {
     (
         $(#[$meta:meta])*
         pub struct $Name:ident {
-            $( $(#[doc = $doc:literal])* pub $field:ident: $ty:ty = $default:expr $(, in $low:literal..=$high:literal)?; )*
+            $(
+                $(#[doc = $doc:literal])*
+                $(#[serde $serde:tt])?
+                $(#[schemars $schemars:tt])?
+                pub $field:ident: $ty:ty $(= $default:expr)? $(, in $low:literal..=$high:literal)?;
+            )*
         }
     ) => {
         $(#[$meta])*
         #[derive(Debug, Clone, PartialEq)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
         pub struct $Name {
-            $( $(#[doc = $doc])* pub $field: $ty, )*
+            $(
+                $(#[doc = $doc])*
+                $(#[serde $serde])?
+                $(#[cfg_attr(feature = "schema", schemars $schemars)])?
+                $(#[cfg_attr(feature = "schema", schemars(range(min = $low, max = $high)))])?
+                pub $field: $ty,
+            )*
         }
 
-        impl Default for $Name {
-            fn default() -> Self {
-                Self { $( $field: $default, )* }
-            }
-        }
+        $crate::params!(@default $Name { $($field $(= $default)?;)* });
 
         impl $Name {
             /// One entry per field, in order.
@@ -78,7 +94,7 @@ macro_rules! params {
                 $( $crate::params::Key {
                     name: stringify!($field),
                     range: $crate::params!(@range $($low, $high)?),
-                    doc: concat!($($doc),*),
+                    doc: concat!($($doc, "\n"),*),
                 }, )*
             ];
 
@@ -93,6 +109,15 @@ macro_rules! params {
             }
         }
     };
+    (@default $Name:ident { $( $field:ident = $default:expr; )* }) => {
+        impl Default for $Name {
+            fn default() -> Self {
+                Self { $( $field: $default, )* }
+            }
+        }
+    };
+    // A field without a default has to be written: so has the whole.
+    (@default $Name:ident { $($fields:tt)* }) => {};
     (@range) => { None };
     (@range $low:literal, $high:literal) => { Some(($low as f64, $high as f64)) };
     (@check $self:ident, $field:ident, $ty:ty, $low:literal, $high:literal) => {

@@ -25,7 +25,7 @@ pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> 
     match args[0].as_str() {
         "test" => test(&args[1..]),
         "bench" => bench(&args[1..]),
-        other => Err(format!("unknown task `{other}`")),
+        other => Err(format!("unknown task `{other}`{}", meant(other, &["test", "bench", "help"]))),
     }
 }
 
@@ -47,10 +47,18 @@ fn bench(args: &[String]) -> Result<Wish, String> {
 
 fn test(named: &[String]) -> Result<Wish, String> {
     if let Some(unknown) = named.iter().find(|name| STEPS.iter().all(|s| s.name != **name)) {
-        return Err(format!("unknown step `{unknown}`"));
+        let steps: Vec<&str> = STEPS.iter().map(|step| step.name).collect();
+        return Err(format!("unknown step `{unknown}`{}", meant(unknown, &steps)));
     }
     let wanted = |s: &&Step| named.is_empty() || named.iter().any(|name| s.name == *name);
     Ok(Wish::Test(STEPS.iter().filter(wanted).collect()))
+}
+
+/// A question for the name that is nearest to a word, if it is near enough.
+fn meant(word: &str, known: &[&str]) -> String {
+    let edits = |name: &&&str| strsim::damerau_levenshtein(word, name);
+    let near = known.iter().min_by_key(edits).filter(|name| edits(name) <= 1 + name.len() / 3);
+    near.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default()
 }
 
 pub(crate) fn help() -> String {
@@ -93,9 +101,10 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_step_is_an_error_that_names_it() {
-        assert_eq!(names(&["test", "clipy"]), Err("unknown step `clipy`".into()));
-        assert_eq!(names(&["tset"]), Err("unknown task `tset`".into()));
+    fn an_unknown_step_is_an_error_that_names_it_and_the_nearest_one() {
+        assert_eq!(names(&["test", "clipy"]), Err("unknown step `clipy`; did you mean `clippy`?".into()));
+        assert_eq!(names(&["tset"]), Err("unknown task `tset`; did you mean `test`?".into()));
+        assert_eq!(names(&["test", "everything"]), Err("unknown step `everything`".into()));
         assert_eq!(names(&["test", "--help"]), Ok(vec!["help"]));
         assert_eq!(names(&["bench", "--acept"]), Err("unknown option `--acept`".into()));
     }

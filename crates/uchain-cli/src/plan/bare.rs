@@ -25,7 +25,7 @@ pub(super) fn course(asked: &Plan) -> Result<(Course, Option<usize>), Failure> {
     let is_map = is_map(&asked.what);
     let source = if is_map { bare(asked)? } else { Source::find(&asked.what)? };
     let shorts = shorts(asked, is_map);
-    let typed = asked.set.iter().cloned();
+    let typed = asked.sets.set.iter().cloned();
     let sets: Vec<String> = shorts.iter().map(|short| short.assignment.clone()).chain(typed).collect();
     let mut course = Course::read(&source, &sets).map_err(|error| explain(error, asked, &shorts))?;
 

@@ -12,18 +12,14 @@ use crate::{
     args,
     exit::Failure,
     output::{self, Folder},
-    print,
 };
 use table::{Steps, Table};
 
 pub(crate) fn reckon(asked: &args::Plan) -> Result<(), Failure> {
-    let spinner = spinner(!(asked.quiet || asked.json));
+    let spinner = spinner(asked.say.progress());
     let (course, uavs) = bare::course(asked)?;
     let name = &course.scenario.name;
-    let folder = match &asked.out {
-        Some(path) => Folder::chosen(path, asked.force)?,
-        None => Folder::ours("plans", name),
-    };
+    let folder = asked.out.folder(|| Folder::ours("plans", name))?;
     let to_m = asked.to.or_else(|| course.tunnel.as_ref().map(Tunnel::length_m));
     let steps = Steps::new(to_m.unwrap_or(1.0), asked.step);
     let plan = plan(&course, asked.to, steps.plan_m, uavs)?;
@@ -32,14 +28,7 @@ pub(crate) fn reckon(asked: &args::Plan) -> Result<(), Failure> {
     let json = serde_json::to_string_pretty(&plan)? + "\n";
     folder.write(&output::PLAN, json.as_bytes(), &picture)?;
     spinner.finish_and_clear();
-
-    if asked.json {
-        print(&json)
-    } else if asked.quiet {
-        Ok(())
-    } else {
-        print(&table.text(&folder.says(&output::PLAN)))
-    }
+    asked.say.result(&json, || table.text(&folder.says(&output::PLAN)))
 }
 
 /// Turns on a terminal until the answer is there; large maps take seconds.

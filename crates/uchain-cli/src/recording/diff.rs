@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use uchain_sim::{analyse::Comparison, replay};
 
 use super::{Diff, open};
-use crate::{exit::Failure, print};
+use crate::exit::Failure;
 
 /// Most keys that are listed.
 const MOST_KEYS: usize = 30;
@@ -36,7 +36,7 @@ pub(crate) fn diff(asked: &Diff) -> Result<(), Failure> {
     }
     let same = comparison.first.is_none() && ticks.0 == ticks.1;
     line(&flights(&comparison));
-    print(&text)?;
+    asked.quiet.report(|| text)?;
     if same { Ok(()) } else { Err(Failure::Differ) }
 }
 

@@ -11,13 +11,7 @@ use uchain_sim::{
 };
 
 use super::{Inspect, open};
-use crate::{
-    exit::Failure,
-    output::{Folder, INSPECT},
-    print,
-    report::Report,
-    watch::Watch,
-};
+use crate::{exit::Failure, output::INSPECT, report::Report, watch::Watch};
 
 /// Moments in JSON, at most twice as many.
 const MOMENTS: usize = 500;
@@ -38,7 +32,7 @@ struct Inspected<'a> {
 }
 
 pub(crate) fn inspect(asked: &Inspect) -> Result<(), Failure> {
-    let folder = asked.out.as_ref().map(|path| Folder::chosen(path, asked.force)).transpose()?;
+    let folder = asked.out.chosen()?;
     let mut recording = open(&asked.file)?;
     let refused = |cause| Failure::Recording { file: asked.file.clone(), cause };
     let course = recording.course().map_err(refused)?;
@@ -66,11 +60,10 @@ pub(crate) fn inspect(asked: &Inspect) -> Result<(), Failure> {
         folder.write(&INSPECT, json.as_bytes(), &picture)?;
         files = folder.says(&INSPECT);
     }
-    if asked.json {
-        return print(&json);
-    }
     let cut = if whole { "" } else { "; the file is cut short, and read up to its last whole chunk" };
-    print(&format!("flown by uchain {version}{cut}\n{}{}", report().text(&files), table(&moments)))
+    asked.say.result(&json, || {
+        format!("flown by uchain {version}{cut}\n{}{}", report().text(&files), table(&moments))
+    })
 }
 
 fn table(moments: &[Moment]) -> String {

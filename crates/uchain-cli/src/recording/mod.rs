@@ -11,10 +11,13 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use clap::Args;
+use clap::{Args, ValueHint};
 use uchain_sim::record::mcap::Recording;
 
-use crate::exit::Failure;
+use crate::{
+    args::{Out, Quiet, Say},
+    exit::Failure,
+};
 
 pub(crate) use diff::diff;
 pub(crate) use inspect::inspect;
@@ -68,19 +71,16 @@ impl Choice {
 /// A look into a recording.
 #[derive(Debug, Args)]
 #[command(after_help = INSPECT_EXAMPLES)]
+#[command(mut_arg("out", |out| out.help("Also write inspect.json and run.png into this folder")))]
+#[command(mut_arg("json", |json| json.help("Print summary and numbers over time as JSON on stdout, and nothing else there")))]
 pub(crate) struct Inspect {
     /// A recording, such as runs/corner-s1/run.mcap
-    #[arg(value_name = "FILE")]
+    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     file: PathBuf,
-    /// Also write inspect.json and run.png into this folder
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Write into --out even if it holds something else; only our own files are replaced
-    #[arg(long)]
-    force: bool,
-    /// Print summary and numbers over time as JSON on stdout
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    out: Out,
+    #[command(flatten)]
+    say: Say,
 }
 
 /// A recording flown again.
@@ -88,8 +88,10 @@ pub(crate) struct Inspect {
 #[command(after_help = VERIFY_EXAMPLES)]
 pub(crate) struct Verify {
     /// A recording, such as runs/corner-s1/run.mcap
-    #[arg(value_name = "FILE")]
+    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     file: PathBuf,
+    #[command(flatten)]
+    quiet: Quiet,
 }
 
 /// Two recordings side by side.
@@ -97,11 +99,13 @@ pub(crate) struct Verify {
 #[command(after_help = DIFF_EXAMPLES)]
 pub(crate) struct Diff {
     /// A recording
-    #[arg(value_name = "A")]
+    #[arg(value_name = "A", value_hint = ValueHint::FilePath)]
     here: PathBuf,
     /// Another one
-    #[arg(value_name = "B")]
+    #[arg(value_name = "B", value_hint = ValueHint::FilePath)]
     there: PathBuf,
+    #[command(flatten)]
+    quiet: Quiet,
 }
 
 fn open(file: &Path) -> Result<Recording<BufReader<File>>, Failure> {

@@ -3,7 +3,7 @@
 use uchain_sim::{record::mcap::End, replay};
 
 use super::{Verify, open};
-use crate::{exit::Failure, print};
+use crate::exit::Failure;
 
 /// This version.
 const OURS: &str = env!("CARGO_PKG_VERSION");
@@ -21,7 +21,8 @@ pub(crate) fn verify(asked: &Verify) -> Result<(), Failure> {
     };
     if let Some(first) = verdict.first {
         let (place, here, there) = (first.place(), first.here, first.there);
-        print(&format!("{versions}differs at {place}: {here} recorded, {there} flown\n"))?;
+        let said = format!("{versions}differs at {place}: {here} recorded, {there} flown\n");
+        asked.quiet.report(|| said)?;
         return Err(Failure::Differ);
     }
     let (ticks, of) = (verdict.ticks, verdict.of);
@@ -32,5 +33,5 @@ pub(crate) fn verify(asked: &Verify) -> Result<(), Failure> {
             "the same, bit for bit, for the {ticks} ticks of {of} that were recorded; the file is cut short"
         ),
     };
-    print(&format!("{versions}{said}\n"))
+    asked.quiet.report(|| format!("{versions}{said}\n"))
 }

@@ -4,6 +4,7 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum SpeedLaw {
     /// `s_d / (3 k T_s)` (Eq. 12).
     #[default]
@@ -20,32 +21,54 @@ crate::params! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
     pub struct EqualizeParams {
-        /// How an imbalance becomes a speed: "lipschitz" (Laclau 2021, Eq. 12), "inverse-model" (the
-        /// authors' simulator) or "bang-bang" (their firmware).
+        /// How an imbalance becomes a speed.
+        /// - Symbol: `s_d = s_back - s_front`, the imbalance
+        /// - Source: Laclau 2021, Eq. 12 and Algorithm 1 ("lipschitz"); the authors' simulator and firmware
         pub law: SpeedLaw = SpeedLaw::Lipschitz;
-        /// Lipschitz constant of quality over distance, k in Laclau 2021, Eq. 12 (dB/m). 15 to 40 all
-        /// do. At a corner the true slope is 65 to 100 dB/m: the proof of Eq. 12 does not hold there.
+        /// Lipschitz constant of quality over distance (dB/m). 15 to 40 all do. At a corner the true slope is 65 to
+        /// 100 dB/m: the proof of Eq. 12 does not hold there.
+        /// - Symbol: `k`
+        /// - Equation: `v = s_d / (3 k T_s)`
+        /// - Source: Laclau 2021, Eq. 12; the value is ours
         pub k_db_per_m: f32 = 25.0, in 0.1..=10000.0;
-        /// Imbalance that counts as level, T in Algorithm 1 (dB).
+        /// Imbalance that counts as level (dB). The paper also flies with 5 dB ("T5").
+        /// - Symbol: `T`
+        /// - Equation: `v = 0` where `|s_d| <= T`
+        /// - Source: Laclau 2021, Algorithm 1 and §6.1.3
         pub tolerance_db: f32 = 0.0, in 0.0..=100.0;
-        /// Largest speed (m/s).
+        /// Largest speed of a relay, and of a plan's head (m/s).
+        /// - Symbol: `v_max`
+        /// - Source: Laclau 2021, §4.2; 0.375 in the authors' simulator
         pub v_max_mps: f32 = 0.3, in 0.0..=1.0;
-        /// Time between two decisions, `T_s` (s); a multiple of the simulator's tick.
+        /// Time between two decisions (s); a multiple of the tick, 0.05 s.
+        /// - Symbol: `T_s`
+        /// - Equation: `v = s_d / (3 k T_s)`
+        /// - Source: Laclau 2021, §6.1.1 (5 Hz); 10 Hz in the authors' firmware
         pub decision_s: f32 = 0.2, in 0.05..=10.0;
-        /// Distance that "inverse-model" reads from a loss of 0 dB, d0 in D(r) = d0 exp(r / scale) (m).
+        /// Distance that "inverse-model" reads from a loss of 0 dB (m).
+        /// - Symbol: `d0`
+        /// - Equation: `D(r) = d0 exp(r / scale)`
+        /// - Source: the authors' simulator
         pub model_d0_m: f32 = 0.25, in 0.0001..=100.0;
-        /// Loss over which that distance grows e-fold, the scale in D(r) (dB).
+        /// Loss over which the distance read by "inverse-model" grows e-fold (dB).
+        /// - Symbol: `scale`
+        /// - Equation: `D(r) = d0 exp(r / scale)`
+        /// - Source: the authors' simulator
         pub model_scale_db: f32 = 50.0, in 1.0..=1000.0;
         /// Speed of "bang-bang" (m/s).
+        /// - Source: the authors' firmware
         pub bang_mps: f32 = 0.3, in 0.0..=1.0;
         /// Imbalance within which "bang-bang" stays (dB).
+        /// - Source: the authors' firmware
         pub bang_band_db: f32 = 1.5, in 0.0..=100.0;
-        /// Whether a neighbour nearer than `spacing_db` is backed away from before anything is levelled
-        /// (the authors' firmware).
+        /// Whether a neighbour nearer than `spacing_db` is backed away from before anything is levelled.
+        /// - Source: the authors' firmware, where it is on
         pub spacing: bool = false;
         /// Loss to a neighbour below which it is too near (dB).
+        /// - Source: the authors' firmware
         pub spacing_db: f32 = 40.0, in -50.0..=200.0;
         /// Speed of backing away (m/s).
+        /// - Source: the authors' firmware
         pub spacing_mps: f32 = 0.2, in 0.0..=1.0;
     }
 }

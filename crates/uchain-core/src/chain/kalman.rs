@@ -5,12 +5,21 @@ crate::params! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
     pub struct KalmanParams {
-        /// Variance of a measured loss, R in Laclau 2021, Eq. 17 (dB²).
+        /// Variance of a measured loss (dB²).
+        /// - Symbol: `R`
+        /// - Equation: `K = P / (P + R)`
+        /// - Source: Laclau 2021, Eq. 17 and 19; the value is of the authors' simulator
         pub measurement_variance_db2: f32 = 5.0, in 0.001..=10000.0;
-        /// Growth of the estimate's variance, Q in Eq. 16 per second (dB²/s); 0.1 dB² at 5 Hz.
+        /// Growth of the estimate's variance, per second (dB²/s); the default is 0.1 dB² at 5 Hz.
+        /// - Symbol: `Q / T_s`
+        /// - Equation: `P = P + Q`
+        /// - Source: Laclau 2021, Eq. 16 and 18; the value is of the authors' simulator
         pub process_variance_db2_per_s: f32 = 0.5, in 0.0..=10000.0;
-        /// Loss gained per metre of separation, A in Eq. 16 over the decision period (dB/m). Positive for
-        /// a loss; four to five times the physical slope, so that it leads by about 2 dB at 0.2 m/s.
+        /// Loss gained per metre by which the ends of a link separate, read from optic flow (dB/m). Positive for a
+        /// loss; four to five times the physical slope, so that it leads by about 2 dB at 0.2 m/s.
+        /// - Symbol: `A / T_s`
+        /// - Equation: `r = r + A u`, u the speed at which the ends separate
+        /// - Source: Laclau 2021, Eq. 16 and 18; the value is of the authors' simulator
         pub flow_gain_db_per_m: f32 = 10.7, in -1000.0..=1000.0;
     }
 }

@@ -6,6 +6,7 @@ use super::{Heard, KalmanParams, Packet, ScalarKalman};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Signal {
     /// The Kalman filter's estimate.
     #[default]
@@ -18,6 +19,7 @@ pub enum Signal {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Gap {
     /// Nothing.
     #[default]
@@ -31,26 +33,36 @@ crate::params! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
     pub struct LinkParams {
-        /// Loss that relays level and thresholds look at: "filtered" or "raw".
+        /// Loss that relays level and thresholds look at.
+        /// - Source: Laclau 2021, §4.2 and §6.1.3 (raw in "T0" and "T5")
         pub signal: Signal = Signal::Filtered;
-        /// A filter without a packet: "hold" (the authors), or "predict" with optic flow alone (Laclau 2021,
-        /// Eq. 18).
+        /// What a filter does in a decision period without a packet.
+        /// - Source: the authors' simulator ("hold"); Laclau 2021, Eq. 18 ("predict")
         pub gap: Gap = Gap::Hold;
         /// How long "predict" predicts before it holds (s).
+        /// - Source: ours
         pub predict_s: f32 = 1.0, in 0.0..=600.0;
         /// Whether optic flow drives the filter of the link to the base as well.
+        /// - Equation: `r = r + A u`, u = 0 on that link if not
+        /// - Source: Laclau 2021, Eq. 16; not in the authors' simulator
         pub base_flow: bool = true;
         /// Silence after which a link is lost (s).
+        /// - Source: the authors' firmware
         pub lost_s: f32 = 1.0, in 0.0..=600.0;
         /// Loss of the head's back link, by `signal`, above which its forward command is zeroed (dB).
+        /// - Source: Laclau 2021, §4.3; the value is ours
         pub head_stop_db: f32 = 70.0, in -50.0..=300.0;
         /// Loss of the head's back link, by `signal`, above which it is forced backward (dB).
+        /// - Source: Laclau 2021, §4.3; the value is ours
         pub head_back_db: f32 = 75.0, in -50.0..=300.0;
         /// Loss of a relay's back link, by `signal`, above which it flies backward (dB).
+        /// - Source: Laclau 2021, §4.3; the value is ours
         pub relay_back_db: f32 = 80.0, in -50.0..=300.0;
         /// How far a loss must fall below its threshold before the override ends (dB).
+        /// - Source: ours
         pub hysteresis_db: f32 = 3.0, in 0.0..=100.0;
         /// Speed of a forced retreat (m/s).
+        /// - Source: the authors' firmware
         pub retreat_mps: f32 = 0.2, in 0.0..=1.0;
     }
 }

@@ -6,6 +6,7 @@ use super::{Packet, Signal};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Launch {
     /// Nothing.
     #[default]
@@ -19,22 +20,30 @@ crate::params! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
     pub struct TakeoffParams {
-        /// Loss of the base link above which the chain needs one more UAV, `s_min` of Laclau 2021 read as
-        /// a loss (dB).
+        /// Loss of the base link above which the chain needs one more UAV (dB).
+        /// - Symbol: `s_min`, read as a loss
+        /// - Source: Laclau 2021, §4.3 and §6.1
         pub s_min_db: f32 = 60.0, in -50.0..=200.0;
-        /// "threshold", or "converged": only once the flying chain has levelled (the paper's preprint).
+        /// What a take-off waits for besides the threshold.
+        /// - Source: Laclau 2021, §4.3 ("threshold"); the paper's preprint ("converged")
         pub launch: Launch = Launch::Threshold;
-        /// Imbalance of every relay, by its own estimates, that counts as levelled (dB).
+        /// Imbalance of every relay, by its own estimates, that counts as levelled for "converged" (dB).
+        /// - Source: ours
         pub converged_db: f32 = 4.0, in 0.0..=100.0;
-        /// Which loss is compared: "filtered" or "raw".
+        /// Which loss of the base link is compared with `s_min_db`.
+        /// - Source: Laclau 2021, §4.2 and §4.3
         pub launch_signal: Signal = Signal::Filtered;
-        /// How long the loss must stay above it (s). 0 in the paper; 1 s avoids needless late launches.
+        /// How long the loss must stay above `s_min_db` (s). 1 s avoids needless late launches.
+        /// - Source: ours; 0 in Laclau 2021, §4.3
         pub launch_hold_s: f32 = 1.0, in 0.0..=600.0;
         /// How long the UAV ahead must have flown (s).
+        /// - Source: the authors' simulator
         pub after_previous_s: f32 = 3.0, in 0.0..=600.0;
         /// Time from the ground to flight height (s).
+        /// - Source: the authors' simulator (0.2 m at 0.2 m/s)
         pub rise_s: f32 = 1.0, in 0.0..=60.0;
         /// Time of hovering before the UAV follows its laws (s).
+        /// - Source: the authors' simulator
         pub hover_s: f32 = 1.0, in 0.0..=60.0;
     }
 }

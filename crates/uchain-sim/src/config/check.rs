@@ -2,7 +2,7 @@
 
 use uchain_core::params::OutOfRange;
 
-use super::{ConfigError, MapConfig, Scenario, document::Document};
+use super::{ConfigError, MapConfig, Scenario, document::Document, keys::join};
 use crate::record::TICKS_PER_S;
 
 /// Length of a tick (s). Every period is a multiple of it.
@@ -20,17 +20,20 @@ const PILOT_MAX: usize = 10_000;
 /// Most entries of each list of planned faults.
 const FAULTS_MAX: usize = 10_000;
 
+/// Longest name of a scenario.
+pub(super) const NAME_LENGTH_MAX: usize = 64;
+
 /// Farthest place in a map's own frame (m): a surveyor's coordinates; `f64` keeps a millimetre there with ease.
-const FRAME_MAX_M: f64 = 1e9;
+pub(super) const FRAME_MAX_M: f64 = 1e9;
 
 /// Farthest corner of a corridor (m); `f32` keeps a centimetre there.
-const COORDINATE_MAX_M: f64 = 100_000.0;
+pub(super) const COORDINATE_MAX_M: f64 = 100_000.0;
 
 /// The first value outside its range.
 pub(super) fn values(scenario: &Scenario, document: &Document<'_>) -> Result<(), ConfigError> {
     let check = Check { document };
     check.name(&scenario.name)?;
-    check.range("duration_s", scenario.duration_s, TICK_S, DURATION_MAX_S)?;
+    check.ranged("", scenario.check())?;
     check.ticks("duration_s", scenario.duration_s)?;
     check.map(scenario)?;
     check.chain(scenario)?;
@@ -63,6 +66,14 @@ impl Check<'_> {
         Err(self.invalid(key, &got, format!("must lie in {low}..={high}")))
     }
 
+    /// The outcome of a table's own check, under the table's name.
+    fn ranged(&self, table: &str, checked: Result<(), OutOfRange>) -> Result<(), ConfigError> {
+        checked.map_err(|OutOfRange { key, got, low, high }| {
+            let key = join(table, key);
+            self.invalid(&key, &got, format!("must lie in {low}..={high}"))
+        })
+    }
+
     fn ticks(&self, key: &str, got_s: f64) -> Result<(), ConfigError> {
         let ticks = got_s / TICK_S;
         if (ticks - ticks.round()).abs() <= 1e-4 && ticks > 0.5 {
@@ -73,17 +84,19 @@ impl Check<'_> {
 
     fn name(&self, name: &str) -> Result<(), ConfigError> {
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-        if (1..=64).contains(&name.len()) && name.chars().all(plain) {
+        if (1..=NAME_LENGTH_MAX).contains(&name.len()) && name.chars().all(plain) {
             return Ok(());
         }
-        let expected = "must be 1 to 64 of the letters a-z, A-Z, 0-9, - and _ (it names the output folder)";
+        let expected = format!(
+            "must be 1 to {NAME_LENGTH_MAX} of the letters a-z, A-Z, 0-9, - and _ (it names the output folder)"
+        );
         Err(self.invalid("name", &format!("{name:?}"), expected))
     }
 
     fn map(&self, scenario: &Scenario) -> Result<(), ConfigError> {
         match &scenario.map {
             MapConfig::Corridor(corridor) => {
-                self.range("map.corridor.width_m", corridor.width_m, 0.1, 100.0)?;
+                self.ranged("map.corridor", corridor.check())?;
                 for (i, corner) in corridor.centre_line_m.iter().enumerate() {
                     let key = format!("map.corridor.centre_line_m.{i}");
                     if !(2..=3).contains(&corner.len()) {
@@ -97,20 +110,17 @@ impl Check<'_> {
                 }
                 Ok(())
             }
-            MapConfig::Ros(ros) => self.range("map.ros.simplify_m", ros.simplify_m, 0.0, 1.0),
+            MapConfig::Ros(ros) => self.ranged("map.ros", ros.check()),
         }
     }
 
     fn chain(&self, scenario: &Scenario) -> Result<(), ConfigError> {
         let chain = &scenario.chain;
-        self.range("chain.uavs", chain.uavs as f64, 1.0, UAVS_MAX as f64)?;
+        self.ranged("chain", chain.check())?;
         self.point("chain.base_m", chain.base_m)?;
         if let Some(goal_m) = chain.goal_m {
             self.point("chain.goal_m", goal_m)?;
         }
-        self.range("chain.endurance_s", f64::from(chain.endurance_s), 1.0, DURATION_MAX_S)?;
-        self.range("chain.heading_deg", f64::from(chain.heading_deg), -360.0, 360.0)?;
-        self.range("chain.spacing_m", f64::from(chain.spacing_m), 0.0, 100.0)?;
         let Some(spawns) = &chain.spawns_m else { return Ok(()) };
         if spawns.len() != chain.uavs {
             let expected = format!("must be one place per UAV (chain.uavs = {})", chain.uavs);
@@ -120,6 +130,10 @@ impl Check<'_> {
     }
 
     fn point(&self, key: &str, at: [f64; 2]) -> Result<(), ConfigError> {
+        // An array takes as many as it holds and asks no further.
+        if let Some(count) = self.document.count(key).filter(|&count| count != at.len()) {
+            return Err(self.invalid(key, &format!("{count} numbers"), "expected two numbers [x, y]"));
+        }
         at.iter().enumerate().try_for_each(|(j, &value_m)| {
             self.range(&format!("{key}.{j}"), value_m, -FRAME_MAX_M, FRAME_MAX_M)
         })
@@ -133,12 +147,10 @@ impl Check<'_> {
         }
         let mut before_s = None;
         for (i, step) in pilot.iter().enumerate() {
-            let start = format!("pilot.{i}.start_s");
-            self.range(&start, step.start_s, 0.0, DURATION_MAX_S)?;
-            self.range(&format!("pilot.{i}.speed_mps"), f64::from(step.speed_mps), -1.0, 1.0)?;
+            self.ranged(&format!("pilot.{i}"), step.check())?;
             if let Some(before_s) = before_s.filter(|&b| step.start_s <= b) {
                 let expected = format!("must be later than the step before it, which starts at {before_s} s");
-                return Err(self.invalid(&start, &step.start_s, expected));
+                return Err(self.invalid(&format!("pilot.{i}.start_s"), &step.start_s, expected));
             }
             before_s = Some(step.start_s);
         }
@@ -158,13 +170,7 @@ impl Check<'_> {
             ("flow", scenario.flow.check()),
             ("motion", scenario.motion.check()),
         ];
-        for (table, checked) in tables {
-            if let Err(OutOfRange { key, got, low, high }) = checked {
-                let key = format!("{table}.{key}");
-                return Err(self.invalid(&key, &got, format!("must lie in {low}..={high}")));
-            }
-        }
-        Ok(())
+        tables.into_iter().try_for_each(|(table, checked)| self.ranged(table, checked))
     }
 
     /// The laws have to know the sensor's range: one that reads its full range means "no wall", not "a wall there".
@@ -183,8 +189,7 @@ impl Check<'_> {
 
     fn faults(&self, scenario: &Scenario) -> Result<(), ConfigError> {
         let faults = &scenario.faults;
-        self.range("faults.burst_rate", f64::from(faults.burst_rate), 0.0, 1.0)?;
-        self.range("faults.burst_packets", f64::from(faults.burst_packets), 1.0, 100_000.0)?;
+        self.ranged("faults", faults.check())?;
         for (key, count) in [("faults.deaf", faults.deaf.len()), ("faults.dead", faults.dead.len())] {
             if count > FAULTS_MAX {
                 let expected = format!("must be at most {FAULTS_MAX} entries");
@@ -193,24 +198,29 @@ impl Check<'_> {
         }
         let uavs = scenario.chain.uavs;
         for (i, deaf) in faults.deaf.iter().enumerate() {
-            let start_s = self.fault(&format!("faults.deaf.{i}"), deaf.uav, uavs, deaf.start_s)?;
-            if !deaf.stop_s.is_finite() || deaf.stop_s <= start_s {
+            let entry = format!("faults.deaf.{i}");
+            self.one_of_the_chain(&entry, deaf.uav, uavs)?;
+            self.ranged(&entry, deaf.check())?;
+            let Some(stop_s) = deaf.stop_s else { continue };
+            let (key, start_s) = (format!("{entry}.stop_s"), deaf.start_s);
+            if !stop_s.is_finite() || stop_s <= start_s {
                 let expected = format!("must be later than start_s = {start_s}; without it, to the end");
-                return Err(self.invalid(&format!("faults.deaf.{i}.stop_s"), &deaf.stop_s, expected));
+                return Err(self.invalid(&key, &stop_s, expected));
             }
+            self.range(&key, stop_s, 0.0, DURATION_MAX_S)?;
         }
         faults.dead.iter().enumerate().try_for_each(|(i, dead)| {
-            self.fault(&format!("faults.dead.{i}"), dead.uav, uavs, dead.start_s).map(drop)
+            let entry = format!("faults.dead.{i}");
+            self.one_of_the_chain(&entry, dead.uav, uavs)?;
+            self.ranged(&entry, dead.check())
         })
     }
 
-    /// Whom and from when on; returns the latter.
-    fn fault(&self, entry: &str, uav: usize, uavs: usize, start_s: f64) -> Result<f64, ConfigError> {
-        if uav >= uavs {
-            let expected = format!("must be a UAV of the chain: 0, the head, to {}", uavs.saturating_sub(1));
-            return Err(self.invalid(&format!("{entry}.uav"), &uav, expected));
+    fn one_of_the_chain(&self, entry: &str, uav: usize, uavs: usize) -> Result<(), ConfigError> {
+        if uav < uavs {
+            return Ok(());
         }
-        self.range(&format!("{entry}.start_s"), start_s, 0.0, DURATION_MAX_S)?;
-        Ok(start_s)
+        let expected = format!("must be a UAV of the chain: 0, the head, to {}", uavs.saturating_sub(1));
+        Err(self.invalid(&format!("{entry}.uav"), &uav, expected))
     }
 }

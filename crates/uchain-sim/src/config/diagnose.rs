@@ -56,7 +56,9 @@ impl fmt::Display for Origin {
 #[derive(Debug, thiserror::Error)]
 pub enum ConfigError {
     /// No compiled-in scenario of this name.
-    #[error("unknown scenario '{name}'{choices}; a path to a file works as well, such as ./{name}.toml")]
+    #[error(
+        "unknown scenario '{name}'{choices}; a path to a file works as well if it holds a / or ends in .toml"
+    )]
     UnknownScenario {
         /// The name asked for.
         name: String,
@@ -71,13 +73,23 @@ pub enum ConfigError {
         /// What could stand there.
         choices: Box<Choices>,
     },
+    /// No key of this name in any scenario.
+    #[error("no key is called '{key}'{choices}")]
+    NoSuchKey {
+        /// The name asked for.
+        key: String,
+        /// Names near it; not all of them.
+        choices: Box<Choices>,
+    },
     /// The file cannot be read.
-    #[error("{label}: cannot read the scenario: {cause}")]
+    #[error("{label}: cannot read the scenario: {cause}{choices}")]
     Read {
         /// The file.
         label: String,
         /// What the system said.
         cause: std::io::Error,
+        /// A scenario file beside it, if one is called nearly so.
+        choices: Box<Choices>,
     },
     /// The file is longer than any scenario.
     #[error("{label}: longer than {TEXT_MAX_BYTES} bytes, expected a scenario in TOML")]
@@ -187,6 +199,7 @@ impl ConfigError {
             | Self::Map { at, .. } => Some(at),
             Self::UnknownScenario { .. }
             | Self::UnknownPreset { .. }
+            | Self::NoSuchKey { .. }
             | Self::Read { .. }
             | Self::TooLong { .. }
             | Self::NotText { .. } => None,
@@ -196,6 +209,11 @@ impl ConfigError {
     pub(super) fn unknown_scenario(name: &str) -> Self {
         let known: Vec<String> = builtin_names().iter().map(|&n| n.to_owned()).collect();
         Self::UnknownScenario { name: shorten(name), choices: Box::new(Choices::for_word(name, known)) }
+    }
+
+    #[cfg(feature = "schema")]
+    pub(super) fn no_such_key(name: &str, choices: Choices) -> Self {
+        Self::NoSuchKey { key: shorten(name), choices: Box::new(choices) }
     }
 
     pub(super) fn unknown_preset(name: &str, choices: Choices) -> Self {
@@ -214,6 +232,18 @@ pub(super) fn shorten(text: &str) -> String {
     short
 }
 
+/// What to write instead of a `step` that is no entry of a list.
+pub(super) fn not_an_entry(list: &str, count: usize, step: &str) -> String {
+    let step = shorten(step);
+    match count {
+        0 => format!("{list} has no entries: write all of it, such as --set '{list}=[…]'"),
+        _ if step.parse::<usize>().is_ok() => {
+            format!("{list} is a list of {count}: expected an index below {count} after it, got '{step}'")
+        }
+        _ => format!("{list} is a list of {count}: write which one, such as {list}.0.{step}"),
+    }
+}
+
 /// The names that are known where an unknown one was found.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Choices {
@@ -227,12 +257,16 @@ impl Choices {
     /// What could stand where `got` does.
     pub(super) fn for_word(got: &str, known: Vec<String>) -> Self {
         let got = shorten(&got.to_lowercase());
-        let nearest = known
+        let near = known
             .iter()
             .map(|name| (strsim::damerau_levenshtein(&got, name), name))
             .min_by_key(|(edits, _)| *edits)
             .filter(|(edits, name)| *edits <= 1 + name.chars().count().max(got.chars().count()) / 3)
-            .map(|(_, name)| name.clone());
+            .map(|(_, name)| name);
+        // A part of a name, if it is a part of one only.
+        let mut holding = known.iter().filter(|name| got.len() > 2 && name.contains(&got));
+        let whole = holding.next().filter(|_| holding.next().is_none());
+        let nearest = near.or(whole).cloned();
         Self { nearest, known }
     }
 }
@@ -242,6 +276,9 @@ impl fmt::Display for Choices {
         if let Some(name) = &self.nearest {
             write!(f, "; did you mean '{name}'?")?;
         }
-        write!(f, " (known: {})", self.known.join(", "))
+        if !self.known.is_empty() {
+            write!(f, " (known: {})", self.known.join(", "))?;
+        }
+        Ok(())
     }
 }

@@ -10,7 +10,7 @@ use toml::{
 
 use super::{
     ConfigError, Preset, Source,
-    diagnose::{Origin, shorten},
+    diagnose::{Origin, not_an_entry, shorten},
 };
 
 /// The parsed text. A value that came by `--set` number `i` has a span of its own behind the text,
@@ -105,6 +105,9 @@ impl<'i> Document<'i> {
         for (depth, &step) in steps.iter().enumerate() {
             let parent = shorten(&steps.get(..depth).unwrap_or_default().join("."));
             here = match here.get_mut() {
+                DeValue::Table(table) if table.is_empty() && step.parse::<usize>().is_ok() => {
+                    return Err(wrong(not_an_entry(&parent, 0, step)));
+                }
                 DeValue::Table(table) => {
                     let key = Spanned::new(start..start + 1, step.into());
                     let empty = DeValue::Table(DeTable::new());
@@ -113,13 +116,7 @@ impl<'i> Document<'i> {
                 DeValue::Array(items) => {
                     let count = items.len();
                     let item = step.parse::<usize>().ok().and_then(|i| items.get_mut(i));
-                    item.ok_or_else(|| {
-                        wrong(format!(
-                            "{parent} is a list of {count}: expected an index below {count} after it, got \
-                             '{}'",
-                            shorten(step)
-                        ))
-                    })?
+                    item.ok_or_else(|| wrong(not_an_entry(&parent, count, step)))?
                 }
                 _ => return Err(wrong(format!("{parent} is a single value, it holds no other keys"))),
             };
@@ -170,6 +167,12 @@ impl<'i> Document<'i> {
             DeValue::Datetime(time) => Some(time.to_string()),
             DeValue::Array(_) | DeValue::Table(_) => None,
         }
+    }
+
+    /// How many entries a list has; `None` where no list was written.
+    pub(super) fn count(&self, path: &str) -> Option<usize> {
+        let (Some(value), true) = self.follow(path) else { return None };
+        if let DeValue::Array(items) = value.get_ref() { Some(items.len()) } else { None }
     }
 
     /// The deepest value on the way of a path, and whether the way was walked to its end.

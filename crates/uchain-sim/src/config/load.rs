@@ -7,6 +7,7 @@ use super::{
     ConfigError, Scenario, Source, check,
     diagnose::{Choices, Origin, shorten},
     document::Document,
+    keys::{TABLES, called, join, nearly_called},
 };
 
 impl Scenario {
@@ -77,6 +78,11 @@ fn explain(error: &toml::de::Error, document: &Document<'_>) -> ConfigError {
         return ConfigError::Missing { at, key: join(&path, key) };
     }
     if message.starts_with("wanted exactly 1 element") {
+        if let Some((table, name)) = misplaced(&path, document) {
+            let at = document.origin(&join(&path, name));
+            let choices = Choices { nearest: Some(join(table, name)), known: Vec::new() };
+            return ConfigError::UnknownKey { at, key: join(&path, name), choices: Box::new(choices) };
+        }
         let expected = "expected one of the tables [map.corridor] and [map.ros], and only one".to_owned();
         return ConfigError::Invalid { at, key: path, got: "{ … }".to_owned(), expected };
     }
@@ -89,15 +95,26 @@ fn explain(error: &toml::de::Error, document: &Document<'_>) -> ConfigError {
     }
 }
 
+/// A key of one of the tables within `path` that was written in `path` itself.
+fn misplaced(path: &str, document: &Document<'_>) -> Option<(&'static str, &'static str)> {
+    let within =
+        TABLES.iter().filter(|(table, _)| table.rsplit_once('.').is_some_and(|(above, _)| above == path));
+    let mut keys = within.flat_map(|(table, keys)| keys.iter().map(move |key| (*table, key.name)));
+    keys.find(|(_, name)| document.written(&join(path, name)).is_some())
+}
+
 fn unknown_key(at: Origin, path: &str, got: &str, known: Vec<String>) -> ConfigError {
     let steps: Vec<&str> = path.split('.').filter(|step| !step.is_empty()).collect();
     let depth = steps.iter().rposition(|step| *step == shorten(got)).unwrap_or(steps.len());
     let table = steps.get(..depth).unwrap_or_default().join(".");
-    ConfigError::UnknownKey {
-        at,
-        key: join(&table, &shorten(got)),
-        choices: Box::new(Choices::for_word(got, known)),
+    let mut choices = Box::new(Choices::for_word(got, known));
+    // A right key in a wrong table is more likely than a slip in its name.
+    if let [elsewhere] = called(got).as_slice() {
+        choices.nearest = Some(elsewhere.clone());
+    } else if choices.nearest.is_none() {
+        choices.nearest = nearly_called(got);
     }
+    ConfigError::UnknownKey { at, key: join(&table, &shorten(got)), choices }
 }
 
 /// ``unknown field `got`, expected `a` or `b` `` as (got, [a, b]).
@@ -122,8 +139,4 @@ fn plain_type(expected: &str) -> String {
         other => other,
     };
     shorten(words)
-}
-
-fn join(table: &str, key: &str) -> String {
-    if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") }
 }

@@ -4,6 +4,9 @@ mod check;
 mod course;
 mod diagnose;
 mod document;
+#[cfg(feature = "schema")]
+pub mod help;
+mod keys;
 mod load;
 mod scenario;
 mod source;

@@ -9,64 +9,69 @@ use crate::{
     world::MotionParams,
 };
 
-/// One mission in one map. The tables after `pilot` are the rooms' own Params; all of them are optional.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Scenario {
-    /// Short name; it names the output folder.
-    pub name: String,
-    /// One line that says what happens.
-    #[serde(default)]
-    pub description: String,
-    /// Name of the [`Preset`](super::Preset) that filled in what is not written here.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub preset: Option<String>,
-    /// Simulated time (s), a multiple of the tick.
-    pub duration_s: f64,
-    /// The tunnel.
-    pub map: MapConfig,
-    /// Who flies and where they wait.
-    pub chain: ChainConfig,
-    /// What the pilot asks of the head, in order of time.
-    pub pilot: Vec<PilotStep>,
-    /// Filter of each link end.
-    #[serde(default)]
-    pub kalman: KalmanParams,
-    /// Law that levels the two links of a relay.
-    #[serde(default)]
-    pub equalize: EqualizeParams,
-    /// Law that keeps a UAV in mid-tunnel.
-    #[serde(default)]
-    pub center: CenterParams,
-    /// When the next UAV takes off.
-    #[serde(default)]
-    pub takeoff: TakeoffParams,
-    /// Head override, retreat, lost links.
-    #[serde(default)]
-    pub link: LinkParams,
-    /// Path loss.
-    #[serde(default)]
-    pub radio: PathLossParams,
-    /// Delivery of packets.
-    #[serde(default)]
-    pub packets: PacketParams,
-    /// Planned faults.
-    #[serde(default)]
-    pub faults: FaultConfig,
-    /// Distance sensors.
-    #[serde(default)]
-    pub tof: TofParams,
-    /// Optic flow.
-    #[serde(default)]
-    pub flow: FlowParams,
-    /// The body.
-    #[serde(default)]
-    pub motion: MotionParams,
+uchain_core::params! {
+    /// One mission in one map. All tables but `map`, `chain` and `pilot` may be left out.
+    #[derive(Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct Scenario {
+        /// Short name; it names the output folder.
+        #[schemars(schema_with = "super::help::shape::name")]
+        pub name: String;
+        /// One line that says what happens.
+        #[serde(default)]
+        pub description: String;
+        /// Name of a preset, which fills in what is not written here.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(schema_with = "super::help::shape::preset")]
+        pub preset: Option<String>;
+        /// Simulated time (s); a multiple of the tick, 0.05 s.
+        pub duration_s: f64, in 0.05..=86_400.0;
+        /// The tunnel: one of `[map.corridor]` and `[map.ros]`.
+        pub map: MapConfig;
+        /// Who flies and where they wait.
+        pub chain: ChainConfig;
+        /// What the pilot asks of the head, in order of time.
+        pub pilot: Vec<PilotStep>;
+        /// Filter of each link end.
+        #[serde(default)]
+        pub kalman: KalmanParams;
+        /// Law that levels the two links of a relay.
+        #[serde(default)]
+        pub equalize: EqualizeParams;
+        /// Law that keeps a UAV in mid-tunnel.
+        #[serde(default)]
+        pub center: CenterParams;
+        /// When the next UAV takes off.
+        #[serde(default)]
+        pub takeoff: TakeoffParams;
+        /// Head override, retreat, lost links.
+        #[serde(default)]
+        pub link: LinkParams;
+        /// Path loss.
+        #[serde(default)]
+        pub radio: PathLossParams;
+        /// Delivery of packets.
+        #[serde(default)]
+        pub packets: PacketParams;
+        /// Planned faults.
+        #[serde(default)]
+        pub faults: FaultConfig;
+        /// Distance sensors.
+        #[serde(default)]
+        pub tof: TofParams;
+        /// Optic flow.
+        #[serde(default)]
+        pub flow: FlowParams;
+        /// The body.
+        #[serde(default)]
+        pub motion: MotionParams;
+    }
 }
 
 /// Where the tunnel comes from: one of `[map.corridor]` and `[map.ros]`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum MapConfig {
     /// A corridor of one width along a centre line.
     Corridor(CorridorConfig),
@@ -74,62 +79,78 @@ pub enum MapConfig {
     Ros(RosConfig),
 }
 
-/// A corridor of one width along a centre line.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CorridorConfig {
-    /// Corners of the centre line: `[x, y]` (m), or `[x, y, r]` with a bend of radius r there (m).
-    pub centre_line_m: Vec<Vec<f64>>,
-    /// Free width, wall to wall (m).
-    pub width_m: f64,
-    /// Whether the last corner joins the first again.
-    #[serde(default)]
-    pub closed: bool,
+uchain_core::params! {
+    /// A corridor of one width along a centre line.
+    #[derive(Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct CorridorConfig {
+        /// Corners of the centre line: `[x, y]` (m), or `[x, y, r]` with a bend of radius r there (m).
+        #[schemars(schema_with = "super::help::shape::corners")]
+        pub centre_line_m: Vec<Vec<f64>>;
+        /// Free width, wall to wall (m).
+        pub width_m: f64, in 0.1..=100.0;
+        /// Whether the last corner joins the first again.
+        #[serde(default)]
+        pub closed: bool;
+    }
 }
 
-/// A ROS `map_server` map.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RosConfig {
-    /// Path of the yaml file, from the folder of the scenario file (from the working folder for a
-    /// compiled-in scenario).
-    pub file: std::path::PathBuf,
-    /// What cells of unknown state are.
-    #[serde(default)]
-    pub unknown: crate::map::Unknown,
-    /// How far a simplified wall may lie from the cells' edge (m).
-    #[serde(default = "default_simplify_m")]
-    pub simplify_m: f64,
+uchain_core::params! {
+    /// A ROS `map_server` map.
+    #[derive(Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct RosConfig {
+        /// Path of the yaml file, from the folder of the scenario file (from the working folder for a compiled-in
+        /// scenario).
+        pub file: std::path::PathBuf;
+        /// What cells of unknown state are.
+        #[serde(default)]
+        pub unknown: crate::map::Unknown;
+        /// How far a simplified wall may lie from the cells' edge (m).
+        /// - Source: ours
+        #[serde(default = "default_simplify_m")]
+        pub simplify_m: f64, in 0.0..=1.0;
+    }
 }
 
 fn default_simplify_m() -> f64 {
     0.06
 }
 
-/// Who flies and where they wait.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ChainConfig {
-    /// UAVs, the head included (1 to 1,000).
-    pub uavs: usize,
-    /// The base station (m).
-    pub base_m: [f64; 2],
-    /// The deepest place the head may be sent to (m). A map without a centre line needs it for what is counted in
-    /// depth: the optimum and the plan.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub goal_m: Option<[f64; 2]>,
-    /// How long a UAV flies on one battery (s), for the plan (1 to 86,400); 5 to 15 min in Laclau 2021, §7.
-    #[serde(default = "default_endurance_s")]
-    pub endurance_s: f32,
-    /// Direction of the tunnel at the base, counter-clockwise from the map's x axis (degrees).
-    #[serde(default)]
-    pub heading_deg: f32,
-    /// Distance between waiting UAVs, in a row from the base along `heading_deg`, the head farthest (m).
-    #[serde(default = "default_spacing_m")]
-    pub spacing_m: f32,
-    /// Explicit waiting places instead of the row, head first (m).
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub spawns_m: Option<Vec<[f64; 2]>>,
+uchain_core::params! {
+    /// Who flies and where they wait.
+    #[derive(Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct ChainConfig {
+        /// UAVs, the head included.
+        /// - Symbol: `n`
+        /// - Source: Laclau 2021, §3.1; a head and 3 relays in its §6.1.3
+        pub uavs: usize, in 1..=1000;
+        /// The base station (m).
+        #[schemars(schema_with = "super::help::shape::point")]
+        pub base_m: [f64; 2];
+        /// The deepest place the head may be sent to (m). A map without a centre line needs it for what is counted in
+        /// depth: the optimum and the plan.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(schema_with = "super::help::shape::point")]
+        pub goal_m: Option<[f64; 2]>;
+        /// How long a UAV flies on one battery (s), for the plan.
+        /// - Source: Laclau 2021, §7 (5 to 15 min); the value is ours
+        #[serde(default = "default_endurance_s")]
+        pub endurance_s: f32, in 1.0..=86_400.0;
+        /// Direction of the tunnel at the base, counter-clockwise from the map's x axis (degrees).
+        /// - Source: ours
+        #[serde(default)]
+        pub heading_deg: f32, in -360.0..=360.0;
+        /// Distance between waiting UAVs, in a row from the base along `heading_deg`, the head farthest (m).
+        /// - Source: ours
+        #[serde(default = "default_spacing_m")]
+        pub spacing_m: f32, in 0.0..=100.0;
+        /// Explicit waiting places instead of the row, head first, one per UAV (m).
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(schema_with = "super::help::shape::points")]
+        pub spawns_m: Option<Vec<[f64; 2]>>;
+    }
 }
 
 fn default_endurance_s() -> f32 {
@@ -140,15 +161,19 @@ fn default_spacing_m() -> f32 {
     0.25
 }
 
-/// What the pilot asks of the head from one moment on.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PilotStep {
-    /// From when on (s).
-    pub start_s: f64,
-    /// Forward speed, negative backward (m/s).
-    pub speed_mps: f32,
-    /// Wall to follow.
-    #[serde(default)]
-    pub follow: Follow,
+uchain_core::params! {
+    /// What the pilot asks of the head from one moment on.
+    #[derive(Copy, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct PilotStep {
+        /// From when on (s), later than the step before.
+        pub start_s: f64, in 0.0..=86_400.0;
+        /// Forward speed, negative backward (m/s).
+        /// - Source: Laclau 2021, §6.1.3 (0.2)
+        pub speed_mps: f32, in -1.0..=1.0;
+        /// Wall to follow.
+        /// - Source: Laclau 2021, Eq. 21 and §7
+        #[serde(default)]
+        pub follow: Follow;
+    }
 }

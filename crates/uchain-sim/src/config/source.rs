@@ -1,7 +1,7 @@
 //! Where a scenario's text comes from: compiled in by name, or a file.
 
 use std::{
-    io::Read,
+    io::{self, Read},
     path::{Path, PathBuf},
 };
 
@@ -113,9 +113,7 @@ impl Source {
     /// [`ConfigError::UnknownScenario`] with the nearest name; those of [`Source::read`].
     pub fn find(name_or_path: &str) -> Result<Self, ConfigError> {
         let path = Path::new(name_or_path);
-        let is_file = name_or_path.contains(['/', '\\'])
-            || path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
-        if is_file {
+        if name_or_path.contains(['/', '\\']) || is_toml(path) {
             return Self::read(path);
         }
         builtin(name_or_path).ok_or_else(|| ConfigError::unknown_scenario(name_or_path))
@@ -127,7 +125,12 @@ impl Source {
     /// [`ConfigError::Read`], [`ConfigError::TooLong`], [`ConfigError::NotText`].
     pub fn read(path: &Path) -> Result<Self, ConfigError> {
         let label = path.display().to_string();
-        let cannot = |cause| ConfigError::Read { label: label.clone(), cause };
+        let cannot = |cause: io::Error| {
+            let is_absent = cause.kind() == io::ErrorKind::NotFound;
+            let nearest = is_absent.then(|| beside(path)).flatten();
+            let choices = Box::new(Choices { nearest, known: Vec::new() });
+            ConfigError::Read { label: label.clone(), cause, choices }
+        };
         let file = std::fs::File::open(path).map_err(cannot)?;
         let mut bytes = Vec::new();
         file.take(TEXT_MAX_BYTES + 1).read_to_end(&mut bytes).map_err(cannot)?;
@@ -140,4 +143,21 @@ impl Source {
         })?;
         Ok(Self { label, text, folder: path.parent().map(Path::to_owned).unwrap_or_default() })
     }
+}
+
+fn is_toml(path: &Path) -> bool {
+    path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"))
+}
+
+/// The path of a scenario file in the folder of an absent one that is called nearly like it.
+fn beside(path: &Path) -> Option<String> {
+    const MOST_ENTRIES: usize = 1000;
+    let folder = path.parent()?;
+    let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let entries = std::fs::read_dir(here).ok()?.take(MOST_ENTRIES).flatten();
+    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+    let mut known: Vec<String> = names.filter(|name| is_toml(Path::new(name))).collect();
+    known.sort();
+    let nearest = Choices::for_word(path.file_name()?.to_str()?, known).nearest?;
+    Some(folder.join(nearest).display().to_string())
 }

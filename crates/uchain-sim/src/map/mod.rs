@@ -48,6 +48,7 @@ pub const FARTHEST_M: f32 = 100_000.0;
 /// What cells of unknown state in a map file are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Unknown {
     /// Nobody has seen it: solid.
     #[default]

@@ -11,49 +11,48 @@ use crate::{
     seed::{Seed, Source, Stream},
 };
 
-/// Planned faults of a mission; none by default.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct FaultConfig {
-    /// Chance that a burst of losses begins at a packet, per packet and link end, 0 to 1.
-    pub burst_rate: f32,
-    /// Mean length of a burst (packets), 1 to 100,000.
-    pub burst_packets: f32,
-    /// Links that work one way only.
-    pub deaf: Vec<Deaf>,
-    /// UAVs that fail: from then on they neither fly nor speak.
-    pub dead: Vec<Dead>,
-}
-
-impl Default for FaultConfig {
-    fn default() -> Self {
-        Self { burst_rate: 0.0, burst_packets: 10.0, deaf: Vec::new(), dead: Vec::new() }
+uchain_core::params! {
+    /// Planned faults of a mission; none by default.
+    #[derive(Serialize, Deserialize)]
+    #[serde(default, deny_unknown_fields)]
+    pub struct FaultConfig {
+        /// Chance that a burst of losses begins at a packet, per packet and link end (1).
+        /// - Source: Gilbert 1960
+        pub burst_rate: f32 = 0.0, in 0.0..=1.0;
+        /// Mean length of a burst (packets).
+        /// - Source: Gilbert 1960
+        pub burst_packets: f32 = 10.0, in 1.0..=100_000.0;
+        /// Links that work one way only.
+        pub deaf: Vec<Deaf> = Vec::new();
+        /// UAVs that fail: from then on they neither fly nor speak.
+        pub dead: Vec<Dead> = Vec::new();
     }
 }
 
-/// A UAV that hears nothing from one side for a while.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Deaf {
-    /// The UAV, 0 = head.
-    pub uav: usize,
-    /// The neighbour it does not hear: "back" (toward the base) or "front".
-    pub side: DeafSide,
-    /// From when on (s).
-    #[serde(default)]
-    pub start_s: f64,
-    /// Until when (s); to the end by default.
-    #[serde(default = "forever")]
-    pub stop_s: f64,
-}
-
-fn forever() -> f64 {
-    f64::MAX
+uchain_core::params! {
+    /// A UAV that hears nothing from one side for a while.
+    #[derive(Copy, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct Deaf {
+        /// The UAV, 0 = head; one of the chain.
+        pub uav: usize, in 0..=999;
+        /// The neighbour it does not hear.
+        pub side: DeafSide;
+        /// From when on (s).
+        /// - Source: ours
+        #[serde(default)]
+        pub start_s: f64, in 0.0..=86_400.0;
+        /// Until when (s), later than `start_s`; to the end if left out.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(range(min = 0.0, max = 86_400.0))]
+        pub stop_s: Option<f64>;
+    }
 }
 
 /// A side, as in a scenario file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum DeafSide {
     /// Toward the base.
     Back,
@@ -61,15 +60,17 @@ pub enum DeafSide {
     Front,
 }
 
-/// A UAV that fails for good. Its neighbours listen to the next UAV in line from that moment on, their filters going
-/// on with what they knew of the old link.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Dead {
-    /// The UAV, 0 = head.
-    pub uav: usize,
-    /// When (s).
-    pub start_s: f64,
+uchain_core::params! {
+    /// A UAV that fails for good. Its neighbours listen to the next UAV in line from that moment on, their filters going
+    /// on with what they knew of the old link.
+    #[derive(Copy, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct Dead {
+        /// The UAV, 0 = head; one of the chain.
+        pub uav: usize, in 0..=999;
+        /// When (s).
+        pub start_s: f64, in 0.0..=86_400.0;
+    }
 }
 
 /// The receiver of one robot with everything that is wrong with it.
@@ -135,7 +136,7 @@ impl Receiver for OneWay {
         let now_s = tick as f64 / TICKS_PER_S;
         let deaf = self.deaf.iter().any(|deaf| {
             let same_side = (deaf.side == DeafSide::Back) == (side == Side::Back);
-            same_side && (deaf.start_s..deaf.stop_s).contains(&now_s)
+            same_side && now_s >= deaf.start_s && deaf.stop_s.is_none_or(|stop_s| now_s < stop_s)
         });
         heard.filter(|_| !deaf)
     }
@@ -201,7 +202,7 @@ mod tests {
 
     #[test]
     fn a_one_way_link_is_deaf_on_its_side_and_in_its_time_only() {
-        let deaf = Deaf { uav: 0, side: DeafSide::Back, start_s: 1.0, stop_s: 2.0 };
+        let deaf = Deaf { uav: 0, side: DeafSide::Back, start_s: 1.0, stop_s: Some(2.0) };
         let mut one_way = OneWay { inner: Box::new(Perfect), deaf: vec![deaf] };
         let back = [19, 20, 39, 40].map(|tick| hear(&mut one_way, tick, Side::Back).is_some());
         assert_eq!(back, [true, false, false, true]);

@@ -10,10 +10,13 @@ uchain_core::params! {
     #[serde(default, deny_unknown_fields)]
     pub struct PacketParams {
         /// Share of packets lost at random (1).
+        /// - Source: Laclau 2021, §6.1.2; none in the published runs
         pub drop_rate: f32 = 0.2, in 0.0..=1.0;
         /// Measured loss from which on no packet is delivered (dB); a link at or above it is not connected.
+        /// - Source: the authors' simulator
         pub limit_db: f32 = 100.0, in -50.0..=1000.0;
-        /// Time from sending to hearing, in ticks of 0.05 s.
+        /// Time from sending to hearing (ticks of 0.05 s).
+        /// - Source: Laclau 2021, §6.1.1 (none)
         pub delay_ticks: u32 = 0, in 0..=1000;
     }
 }

@@ -7,6 +7,7 @@ use crate::map::{Map, MapError, Ways};
 /// How rock in the way raises the exponent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Shadowing {
     /// By the fraction of the segment inside rock.
     #[default]
@@ -20,26 +21,44 @@ uchain_core::params! {
     #[derive(serde::Serialize, serde::Deserialize)]
     #[serde(default, deny_unknown_fields)]
     pub struct PathLossParams {
-        /// Loss at the reference distance, L0 (dB). The paper omits it; from the authors' simulator.
+        /// Loss at the reference distance (dB).
+        /// - Symbol: `L0`
+        /// - Equation: `loss = L0 + 10 α log10(max(d, d0) / d0)`
+        /// - Source: the authors' simulator; Laclau 2021, Eq. 22 omits it
         pub reference_loss_db: f32 = 35.0, in -50.0..=150.0;
-        /// Reference distance, d0 (m).
+        /// Reference distance (m); nearer antennas lose no less.
+        /// - Symbol: `d0`
+        /// - Equation: `loss = L0 + 10 α log10(max(d, d0) / d0)`
+        /// - Source: the authors' simulator; Laclau 2021, Eq. 22 omits it
         pub reference_m: f32 = 0.25, in 0.001..=100.0;
-        /// How rock raises the exponent: "mean-exponent" (by the fraction of the way in rock) or
-        /// "wall-count" (by `alpha_step` for every separate stretch of it).
+        /// How rock in the way raises the exponent.
+        /// - Source: Laclau 2021, §6.1.2
         pub shadowing: Shadowing = Shadowing::MeanExponent;
-        /// Exponent α where nothing stands in the way.
+        /// Exponent where nothing stands in the way (1).
+        /// - Symbol: `α`
+        /// - Equation: `loss = L0 + 10 α log10(max(d, d0) / d0)`
+        /// - Source: Laclau 2021, §6.1.2 (2 to 6); 2.5 in its Fig. 4A-C, 1.5 in Fig. 4D-F
         pub alpha_free: f32 = 2.0, in 0.0..=20.0;
-        /// Exponent α where the whole segment runs through rock; the largest α of "wall-count".
+        /// Exponent where the whole segment runs through rock; the largest exponent of "wall-count" (1).
+        /// - Symbol: `α_wall`
+        /// - Equation: `α = α_free + (α_wall - α_free) f`, f the fraction of the segment inside rock
+        /// - Source: Laclau 2021, §6.1.2 (2 to 6); 4.0 in its Fig. 4
         pub alpha_wall: f32 = 6.0, in 0.0..=20.0;
-        /// Step of α for each stretch of rock, with "wall-count".
+        /// Step of the exponent for each stretch of rock, with "wall-count" (1).
+        /// - Equation: `α = min(α_wall, α_free + step n)`, n the stretches of rock
+        /// - Source: ours
         pub alpha_step: f32 = 2.0, in 0.0..=20.0;
-        /// Loss per metre by which the way through the tunnel differs from the straight one (dB/m); 40 in
-        /// the authors' simulator of Fig. 4D–F.
+        /// Loss per metre by which the way through the tunnel differs from the straight one (dB/m).
+        /// - Equation: `loss = … + detour |tunnel distance - d|`
+        /// - Source: the authors' simulator: 40 in Laclau 2021, Fig. 4D-F
         pub detour_db_per_m: f32 = 0.0, in 0.0..=1000.0;
-        /// Loss of an antenna that sees its partner dead ahead, behind or abeam; none at ±45° and ±135°
-        /// (Laclau 2021, §6.1.2) (dB).
+        /// Loss of an antenna that sees its partner dead ahead, behind or abeam; none at ±45° and ±135° (dB).
+        /// - Source: Laclau 2021, §6.1.2; the paper gives no number
         pub antenna_db: f32 = 0.0, in 0.0..=100.0;
         /// Standard deviation of a measured loss (dB).
+        /// - Symbol: `σ`
+        /// - Equation: `measured loss = loss + N(0, σ²)`
+        /// - Source: the authors' simulator; Laclau 2021, §6.1.2 prints a variance of 3
         pub sigma_db: f32 = 3.0, in 0.0..=50.0;
     }
 }

@@ -8,6 +8,7 @@ uchain_core::params! {
     #[serde(default, deny_unknown_fields)]
     pub struct FlowParams {
         /// Standard deviation of the measured forward speed (m/s).
+        /// - Source: ours
         pub noise_mps: f32 = 0.02, in 0.0..=10.0;
     }
 }

@@ -10,13 +10,17 @@ uchain_core::params! {
     #[derive(serde::Serialize, serde::Deserialize)]
     #[serde(default, deny_unknown_fields)]
     pub struct MotionParams {
-        /// Radius of the disc (m); a Crazyflie is 0.12 m wide.
+        /// Radius of the disc (m).
+        /// - Source: Laclau 2021, Fig. 5 (a Crazyflie is 0.12 m wide)
         pub radius_m: f32 = 0.06, in 0.01..=1.0;
         /// Time constant of the velocity's first-order lag (s).
+        /// - Source: ours
         pub velocity_lag_s: f32 = 0.2, in 0.05..=10.0;
         /// Time constant of the yaw rate's first-order lag (s).
+        /// - Source: ours
         pub yaw_lag_s: f32 = 0.1, in 0.05..=10.0;
         /// Largest acceleration (m/s²).
+        /// - Source: ours
         pub accel_max_mps2: f32 = 2.0, in 0.01..=100.0;
     }
 }

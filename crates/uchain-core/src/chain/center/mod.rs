@@ -10,6 +10,7 @@ use super::{Follow, Tof};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum CenterLaw {
     /// Eq. 20 and 21.
     #[default]
@@ -23,39 +24,66 @@ crate::params! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
     pub struct CenterParams {
-        /// "paper" (Laclau 2021, Eq. 20 and 21) or "firmware" (as flown).
+        /// Whose centering.
+        /// - Source: Laclau 2021, Eq. 20 and 21 ("paper"); the authors' firmware ("firmware")
         pub law: CenterLaw = CenterLaw::Paper;
-        /// Lateral gain, `C_t` in Laclau 2021, Eq. 20 (1/s).
+        /// Lateral gain (1/s).
+        /// - Symbol: `C_t`
+        /// - Equation: `v_y = C_t (d_NW - d_NE)`
+        /// - Source: Laclau 2021, Eq. 20; the value is ours
         pub c_t_per_s: f32 = 0.5, in 0.0..=20.0;
-        /// Yaw gain, `C_r` in Eq. 20 (rad/(s·m)).
+        /// Yaw gain (rad/(s·m)).
+        /// - Symbol: `C_r`
+        /// - Equation: `w = C_r (d_NW - d_SW) + C_r (d_SE - d_NE)`
+        /// - Source: Laclau 2021, Eq. 20; the value is ours
         pub c_r_rad_per_s_m: f32 = 3.5, in 0.0..=50.0;
         /// Largest lateral speed (m/s).
+        /// - Source: ours
         pub lateral_max_mps: f32 = 0.4, in 0.0..=1.0;
-        /// Largest yaw rate (rad/s); 60°/s.
+        /// Largest yaw rate (rad/s); the default is 60°/s.
+        /// - Source: ours
         pub yaw_rate_max_radps: f32 = core::f32::consts::FRAC_PI_3, in 0.0..=20.0;
-        /// Distance kept from a followed wall, along the beam, D in Eq. 21 (m).
+        /// Distance kept from a followed wall, along the beam (m).
+        /// - Symbol: `D`
+        /// - Equation: `v_y = C_t (d_NW - D)` along the left wall
+        /// - Source: Laclau 2021, Eq. 21; the value is ours
         pub wall_distance_m: f32 = 0.28, in 0.0..=2.0;
         /// Difference of the two sides' front-to-rear ratios from which one wall is ignored (1).
+        /// - Equation: `ratio = |d_front - d_rear| / mean`
+        /// - Source: Laclau 2021, §5
         pub invalid_ratio: f32 = 0.4, in 0.0..=10.0;
         /// Leading beam at which forward speed is cut to its floor (m).
+        /// - Equation: `share = clamp((d_lead - slow_from_m) / slow_over_m, slow_floor, 1)`
+        /// - Source: ours
         pub slow_from_m: f32 = 0.2, in 0.0..=2.0;
         /// Length of leading beam over which forward speed recovers (m).
+        /// - Equation: `share = clamp((d_lead - slow_from_m) / slow_over_m, slow_floor, 1)`
+        /// - Source: ours
         pub slow_over_m: f32 = 0.3, in 0.001..=2.0;
         /// Smallest share of the forward speed that is left (1).
+        /// - Equation: `share = clamp((d_lead - slow_from_m) / slow_over_m, slow_floor, 1)`
+        /// - Source: ours
         pub slow_floor: f32 = 0.2, in 0.0..=1.0;
         /// Beam below which the UAV is pushed to the other side, whatever the law says (m).
+        /// - Source: the authors' firmware
         pub push_below_m: f32 = 0.2, in 0.0..=2.0;
         /// Speed of that push (m/s).
+        /// - Source: the authors' firmware
         pub push_mps: f32 = 0.2, in 0.0..=1.0;
-        /// What a beam reads that sees nothing (m).
+        /// What a beam reads that sees nothing (m); must equal `tof.range_m`.
+        /// - Source: Laclau 2021, §6.2
         pub tof_range_m: f32 = 2.0, in 0.1..=20.0;
         /// "firmware": lateral gain (1/s).
+        /// - Source: the authors' firmware
         pub firmware_lateral_per_s: f32 = 2.0, in 0.0..=20.0;
-        /// "firmware": yaw rate per relative difference of a side's beams (rad/s); 30°/s.
+        /// "firmware": yaw rate per relative difference of a side's beams (rad/s); the default is 30°/s.
+        /// - Source: the authors' firmware
         pub firmware_yaw_radps: f32 = core::f32::consts::FRAC_PI_6, in 0.0..=20.0;
         /// "firmware": width from which the nearer wall is followed instead of centering (m).
+        /// - Source: the authors' firmware
         pub firmware_wide_m: f32 = 1.0, in 0.0..=20.0;
         /// "firmware": distance kept from a followed wall (m).
+        /// - Source: the authors' firmware
         pub firmware_goal_m: f32 = 0.39, in 0.0..=2.0;
     }
 }

@@ -47,6 +47,11 @@ const BAD_LINES: &[(&str, &str, &str)] = &[
     ),
     (
         "base_m = [0.0, 0.0]",
+        "base_m = [0.0, 0.0, 1.0]",
+        "plain.toml:10: chain.base_m = 3 numbers: expected two numbers [x, y]",
+    ),
+    (
+        "base_m = [0.0, 0.0]",
         "base_m = [0.0, 3.0]",
         "plain.toml:10: chain.base_m = [0, 3]: the base is in rock",
     ),
@@ -74,6 +79,11 @@ const BAD_LINES: &[(&str, &str, &str)] = &[
         "uavs = 3",
         "uavs = 3\nspawns_m = [[1, 0], [0.5, 0], [1, 0]]",
         "plain.toml:10: chain.spawns_m.2 = [1, 0]: UAV 2 would wait at (1, 0) m, 0.000 m from UAV 0",
+    ),
+    (
+        "uavs = 3",
+        "uavs = 3\nspawns_m = [[1, 0], [0.5, 0, 7], [0, 0]]",
+        "plain.toml:10: chain.spawns_m.1 = 3 numbers: expected two numbers [x, y]",
     ),
     (
         "uavs = 3",
@@ -200,6 +210,21 @@ fn a_bad_set_is_named_instead_of_a_line() {
             "--set pilot.0.speed_mps=fast: pilot.0.speed_mps = \"fast\": expected a number",
         ),
         ("pilot.3.speed_mps=0", "pilot is a list of 1: expected an index below 1 after it, got '3'"),
+        ("pilot.speed_mps=0", "pilot is a list of 1: write which one, such as pilot.0.speed_mps"),
+        (
+            "faults.dead.0.uav=1",
+            "faults.dead has no entries: write all of it, such as --set 'faults.dead=[…]'",
+        ),
+        ("seed=4", "unknown key 'seed' (known: name, "),
+        ("corridor.width_m=2", "unknown key 'corridor'; did you mean 'map.corridor'?"),
+        (
+            "map.width_m=2",
+            "--set map.width_m=2: unknown key 'map.width_m'; did you mean 'map.corridor.width_m'?",
+        ),
+        ("alpha_wall=4", "unknown key 'alpha_wall'; did you mean 'radio.alpha_wall'? (known: name, "),
+        ("alpha_wal=4", "unknown key 'alpha_wal'; did you mean 'radio.alpha_wall'?"),
+        ("chain.radius_m=1", "unknown key 'chain.radius_m'; did you mean 'motion.radius_m'? (known: uavs, "),
+        ("speed_mps=1", "unknown key 'speed_mps'; did you mean 'pilot.0.speed_mps'?"),
         ("duration_s.x=0", "--set duration_s.x=0: duration_s is a single value"),
         ("duration_s", "--set duration_s: expected key=value"),
         ("=3", "--set =3: expected key=value"),

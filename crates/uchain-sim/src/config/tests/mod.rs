@@ -89,6 +89,9 @@ fn what_is_not_a_scenario_file_is_refused() {
     std::fs::write(&path, [b'a', 0xff]).unwrap();
     assert!(matches!(Source::read(&path), Err(ConfigError::NotText { byte: 1, .. })));
     assert!(matches!(Source::read(folder.path()), Err(ConfigError::Read { .. })));
+    std::fs::write(folder.path().join("mine.toml"), "").unwrap();
+    let absent = Source::read(&folder.path().join("mien.toml")).unwrap_err().to_string();
+    assert!(absent.contains("; did you mean '") && absent.contains("mine.toml'?"), "{absent}");
     assert!(Source::find("cornr").unwrap_err().to_string().contains("did you mean 'corner'?"));
 }
 

@@ -1,0 +1,104 @@
+//! What stands below the options in every help text: examples first.
+
+/// Of the whole; the table of exit codes follows.
+pub(super) const TOP: &str = "\
+Examples:
+  uchain list                                what is there to fly
+  uchain run corner                          fly it; results in runs/corner-s1
+  uchain run corner --seed 7 --set chain.uavs=5 --set radio.sigma_db=0
+  uchain run corner --set preset=cavemod     with the values of the authors' firmware
+  uchain inspect runs/corner-s1/run.mcap     look into a recording
+  uchain verify runs/corner-s1/run.mcap      fly it again: still the same, bit for bit?
+  uchain plan corner                         how many UAVs does it need? (flies nothing)
+  uchain explain radio.alpha_wall            what is that, and what may it be?
+  uchain show corner > mine.toml             copy a scenario and edit it
+  uchain check mine.toml                     is it right? (flies nothing)
+  uchain run ./mine.toml --out results/a --json | jq .spread_db
+
+Results:
+  stdout holds what was asked for, stderr progress and errors. Files go into runs/<scenario>-s<seed>
+  and plans/<name> below the folder you are in, or into --out. Progress shows on a terminal only.
+
+Environment:
+  NO_COLOR=1, CLICOLOR=0   no colour in help and usage errors; there is none anyway but on a terminal
+  CLICOLOR_FORCE=1         colour wherever it goes
+  TERM=dumb                no colour and no progress
+";
+
+pub(super) const RUN: &str = "\
+Examples:
+  uchain run corner
+  uchain run corner --seed 7 --set takeoff.s_min_db=55 --set 'pilot.0.follow=left'
+  uchain run ./mine.toml --out results/a --json
+
+Writes run.mcap while it flies (open it in Foxglove or Rerun), then summary.json and run.png. A run that is
+stopped leaves run.mcap, readable up to there. Same scenario, same seed: same digest, bit for bit.
+";
+
+pub(super) const PLAN: &str = "\
+Examples:
+  uchain plan corner
+  uchain plan ./mine.toml --to 40 --uavs 6 --set takeoff.s_min_db=65
+  uchain plan basement.yaml --base=-50.15,34.03 --goal=-3,25.7 --speed 0.1
+
+A bare ROS map (map_server's yaml) needs --base and --goal, in the map's own frame; everything else
+has a default. Writes plan.json and plan.png.
+";
+
+pub(super) const LIST: &str = "\
+Examples:
+  uchain list
+  uchain list | grep circuit
+
+Names without '=' are scenarios, for run, plan, show and check. The others are presets: write them
+behind --set.
+";
+
+pub(super) const SHOW: &str = "\
+Examples:
+  uchain show corner
+  uchain show corner > mine.toml             copy, edit, then: uchain check mine.toml
+  uchain show --preset cavemod               values of a preset, each with its source
+";
+
+pub(super) const CHECK: &str = "\
+Examples:
+  uchain check mine.toml
+  uchain check corner --set chain.uavs=9
+  uchain check mine.toml --quiet && echo right
+
+Exits with 0 if the scenario can be flown, with 3 and the place of the first mistake if not.
+";
+
+pub(super) const EXPLAIN: &str = "\
+Examples:
+  uchain explain                             all keys, one line each
+  uchain explain radio                       the keys of one table
+  uchain explain equalize.k_db_per_m         meaning, symbol, equation, unit, range, default, source
+  uchain explain k_db_per_m                  the last part of the name will do, if only one key has it
+
+Says as well what the presets and the built-in scenarios write there.
+";
+
+pub(super) const SCHEMA: &str = "\
+Examples:
+  uchain schema > uchain.schema.json         beside your scenario files
+
+An editor that knows TOML schemas (Taplo; Even Better TOML in VS Code) reads it for every file whose
+first line is
+  #:schema ./uchain.schema.json
+as in what `uchain show` prints: it then completes keys, shows what they mean and marks mistakes.
+";
+
+pub(super) const COMPLETIONS: &str = "\
+Examples:
+  source <(uchain completions bash)          for this shell; put the line into ~/.bashrc to keep it
+  uchain completions zsh > ~/.zfunc/_uchain  a folder of your $fpath
+  uchain completions fish > ~/.config/fish/completions/uchain.fish
+";
+
+pub(super) const MAN: &str = "\
+Examples:
+  uchain man | man -l -                      read it
+  uchain man --out ~/.local/share/man/man1   then: man uchain, man uchain-run
+";

@@ -1,0 +1,20 @@
+//! What tells rather than does: explanations, hints, completions, manual pages.
+
+mod completions;
+mod explain;
+mod hint;
+mod man;
+
+pub(crate) use completions::completions;
+pub(crate) use explain::explain;
+pub(crate) use hint::{advise, hint};
+pub(crate) use man::man;
+
+use uchain_sim::config::help;
+
+use crate::{exit::Failure, print};
+
+/// `uchain schema`.
+pub(crate) fn schema() -> Result<(), Failure> {
+    print(&(serde_json::to_string_pretty(&help::schema())? + "\n"))
+}

@@ -1,0 +1,171 @@
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{
+    super::{ConfigError, Scenario, Source, UAVS_MAX, builtin, keys::TABLES},
+    Explanation, explain, schema,
+    schema::entries,
+};
+use crate::config::ChainConfig;
+
+/// A scenario with every table that may be in one, as far as one scenario can have them all.
+fn parse(map: &str, set: &str) -> Result<Scenario, ConfigError> {
+    let source: Source = builtin(if map == "ros" { "stata" } else { "straight" }).unwrap();
+    let faults = "faults={deaf=[{uav=0,side=\"back\"}],dead=[{uav=1,start_s=5}]}";
+    Scenario::parse(&source, &[faults.to_owned(), set.to_owned()])
+}
+
+fn parse_for(key: &str, set: &str) -> Result<Scenario, ConfigError> {
+    parse(if key.starts_with("map.ros") { "ros" } else { "corridor" }, set)
+}
+
+fn all() -> Vec<Explanation> {
+    explain("").unwrap()
+}
+
+#[test]
+fn the_keys_that_are_explained_are_those_that_the_reader_takes() {
+    let mut explained: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for Explanation { key, kind, .. } in all() {
+        let (table, name) = key.rsplit_once('.').unwrap_or(("", &key));
+        explained.entry(table.to_owned()).or_default().insert(name.to_owned());
+        if kind == "list of tables" {
+            explained.entry(format!("{key}.0")).or_default();
+        }
+    }
+    for (table, names) in &explained {
+        // The reader's own list of what it takes stands in its answer to a key it does not know.
+        let set = match table.as_str() {
+            "" => "nonsense=1".to_owned(),
+            "map" => "map={nonsense=1}".to_owned(),
+            table => format!("{table}.nonsense=1"),
+        };
+        let said = parse_for(table, &set).unwrap_err();
+        let (ConfigError::UnknownKey { choices, .. } | ConfigError::UnknownChoice { choices, .. }) = said
+        else {
+            panic!("{set}: {said}")
+        };
+        assert_eq!(&choices.known.into_iter().collect::<BTreeSet<_>>(), names, "[{table}]");
+    }
+    // The list by which a misplaced key is found is complete as well.
+    let known = |(table, keys): &(&str, &[uchain_core::params::Key])| {
+        (table.to_string(), keys.iter().map(|key| key.name.to_owned()).collect())
+    };
+    explained.remove("map");
+    assert_eq!(TABLES.iter().map(known).collect::<BTreeMap<_, BTreeSet<_>>>(), explained);
+}
+
+#[test]
+fn every_number_has_a_range_and_it_is_the_readers() {
+    for Explanation { key, kind, range, .. } in all() {
+        if !kind.ends_with("number") {
+            continue;
+        }
+        let (low, high) = range.unwrap_or_else(|| panic!("{key} has no range"));
+        let step = |bound: f64| if kind == "number" { 1e-3 * bound.abs().max(1e-3) } else { 1.0 };
+        let message = |value: f64| match parse_for(&key, &format!("{key}={value}")) {
+            Ok(_) => String::new(),
+            Err(error) => error.to_string(),
+        };
+        for beyond in [low - step(low), high + step(high)] {
+            let said = message(beyond);
+            let is_range = said.contains(&format!("must lie in {low}..={high}"));
+            let is_other =
+                [": expected a whole number, not negative", "must be a UAV of the chain", "must be later"];
+            assert!(
+                is_range || is_other.iter().any(|other| said.contains(other)),
+                "{key} = {beyond}: {said}"
+            );
+        }
+        for bound in [low, high] {
+            assert!(!message(bound).contains("must lie in"), "{key} = {bound}: {}", message(bound));
+        }
+    }
+    let uavs = ChainConfig::KEYS.iter().find(|key| key.name == "uavs").unwrap();
+    assert_eq!(uavs.range, Some((1.0, UAVS_MAX as f64)));
+}
+
+#[test]
+fn every_key_is_explained_in_full() {
+    for key in all() {
+        let Explanation { key, kind, meaning, unit, default, source, choices, .. } = &key;
+        assert!(meaning.len() > 5 && meaning.ends_with(['.', ')']), "{key}: {meaning:?}");
+        assert!(choices.iter().all(|(_, meaning)| !meaning.is_empty()), "{key}: {choices:?}");
+        let symbol = unit.map_or("1", |unit| unit.symbol);
+        let counts = *kind == "whole number" && unit.is_none();
+        if kind.ends_with("number") && !counts {
+            assert!(meaning.contains(&format!("({symbol})")), "{key}: no ({symbol}) in {meaning:?}");
+        }
+        let is_tunable = kind.ends_with("number") && default.is_some();
+        assert!(!is_tunable || source.is_some(), "{key} has a default from nowhere");
+    }
+}
+
+#[test]
+fn ranges_and_words_are_those_beside_the_laws() {
+    let schema = schema();
+    let entries = entries(&schema);
+    for (table, keys) in TABLES {
+        for key in keys {
+            let path = if table.is_empty() { key.name.to_owned() } else { format!("{table}.{}", key.name) };
+            let entry = entries.iter().find(|entry| entry.path == path).unwrap();
+            let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert_eq!(words(entry.schema["description"].as_str().unwrap()), words(key.doc), "{path}");
+            if let Some((low, high)) = key.range {
+                let bound = |name: &str| entry.schema[name].as_f64().unwrap();
+                assert_eq!((bound("minimum"), bound("maximum")), (low, high), "{path}");
+            }
+        }
+    }
+}
+
+#[test]
+fn defaults_are_what_is_flown_if_nothing_is_written() {
+    let flown = toml::Value::try_from(parse("corridor", "name=x").unwrap()).unwrap();
+    let mut compared = 0;
+    for Explanation { key, default, scenarios, .. } in all() {
+        let (Some(default), false) = (default, scenarios.iter().any(|w| w.by == "straight")) else {
+            continue;
+        };
+        let mut here = Some(&flown);
+        for step in key.split('.') {
+            here = here.and_then(|value| value.get(step).or_else(|| value.get(step.parse::<usize>().ok()?)));
+        }
+        // What is left out of a file, and the entries of `parse`, are not in the other list.
+        let Some(value) = here.filter(|value| !value.is_array()) else { continue };
+        let same = match value.as_float() {
+            Some(float) => default.parse::<f32>().unwrap() == float as f32,
+            None => default == value.to_string(),
+        };
+        assert!(same, "{key}: {default} is not {value}");
+        compared += 1;
+    }
+    assert!(compared > 70, "{compared}");
+}
+
+#[test]
+fn a_key_is_found_by_its_full_name_by_its_last_part_and_by_the_name_of_its_table() {
+    let keys = |name: &str| explain(name).unwrap().into_iter().map(|found| found.key).collect::<Vec<_>>();
+    for name in ["pilot.0.speed_mps", "pilot.1.speed_mps", "pilot.speed_mps", "speed_mps"] {
+        assert_eq!(keys(name), ["pilot.0.speed_mps"], "{name}");
+    }
+    assert_eq!(keys("flow"), ["flow", "flow.noise_mps"]);
+    assert_eq!(keys("chain.base_m.1"), ["chain.base_m"]);
+    let no = |name: &str| explain(name).unwrap_err().to_string();
+    assert_eq!(no("law"), "no key is called 'law' (known: equalize.law, center.law)");
+    assert_eq!(no("radio.alfa_wall"), "no key is called 'radio.alfa_wall'; did you mean 'radio.alpha_wall'?");
+    assert_eq!(no("0"), "no key is called '0'");
+}
+
+#[test]
+fn an_explanation_says_who_writes_the_key() {
+    let written = |name: &str| {
+        let found = &explain(name).unwrap()[0];
+        let pairs = |list: &[super::Written]| {
+            list.iter().map(|w| format!("{} {}", w.by, w.value)).collect::<Vec<_>>()
+        };
+        (pairs(&found.presets), pairs(&found.scenarios))
+    };
+    assert_eq!(written("v_max_mps").0, ["cavemod 0.3", "frontiers2021 0.375"]);
+    assert_eq!(written("wall_distance_m").1, ["stata 0.8"]);
+    assert!(written("speed_mps").1.contains(&"corner 0.2, 0.0".to_owned()));
+}

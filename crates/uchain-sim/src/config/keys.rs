@@ -1,0 +1,61 @@
+//! Every key of a scenario by its full name, to find the one that was meant.
+
+use uchain_core::{
+    chain::{CenterParams, EqualizeParams, KalmanParams, LinkParams, TakeoffParams},
+    params::Key,
+};
+
+use super::{ChainConfig, CorridorConfig, PilotStep, RosConfig, Scenario, diagnose::Choices};
+use crate::{
+    radio::{Dead, Deaf, FaultConfig, PacketParams, PathLossParams},
+    sense::{FlowParams, TofParams},
+    world::MotionParams,
+};
+
+/// Every table with its keys; of a list of tables the first entry stands for all.
+pub(super) const TABLES: [(&str, &[Key]); 18] = [
+    ("", Scenario::KEYS),
+    ("map.corridor", CorridorConfig::KEYS),
+    ("map.ros", RosConfig::KEYS),
+    ("chain", ChainConfig::KEYS),
+    ("pilot.0", PilotStep::KEYS),
+    ("kalman", KalmanParams::KEYS),
+    ("equalize", EqualizeParams::KEYS),
+    ("center", CenterParams::KEYS),
+    ("takeoff", TakeoffParams::KEYS),
+    ("link", LinkParams::KEYS),
+    ("radio", PathLossParams::KEYS),
+    ("packets", PacketParams::KEYS),
+    ("faults", FaultConfig::KEYS),
+    ("faults.deaf.0", Deaf::KEYS),
+    ("faults.dead.0", Dead::KEYS),
+    ("tof", TofParams::KEYS),
+    ("flow", FlowParams::KEYS),
+    ("motion", MotionParams::KEYS),
+];
+
+/// `table.key`; a key of the whole stands alone.
+pub(super) fn join(table: &str, key: &str) -> String {
+    if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") }
+}
+
+/// Full names of the keys and tables whose last part is `word`.
+pub(super) fn called(word: &str) -> Vec<String> {
+    all().filter(|(_, name)| *name == word).map(|(table, name)| join(table, name)).collect()
+}
+
+/// Full name of the one key whose last part is `word` but for a slip of the finger.
+pub(super) fn nearly_called(word: &str) -> Option<String> {
+    let nearest = Choices::for_word(word, all().map(|(_, name)| name.to_owned()).collect()).nearest?;
+    let slips = strsim::damerau_levenshtein(word, &nearest);
+    let [only] = <[String; 1]>::try_from(called(&nearest)).ok()?;
+    (slips <= 1 + word.len() / 8 || nearest.contains(word)).then_some(only)
+}
+
+/// Table and name of every key and table.
+fn all() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let keys = TABLES.iter().flat_map(|(table, keys)| keys.iter().map(move |key| (*table, key.name)));
+    // The tables of a choice are nobody's keys.
+    let within = TABLES.iter().filter_map(|(table, _)| table.rsplit_once('.'));
+    keys.chain(within.filter(|(_, name)| *name != "0"))
+}
