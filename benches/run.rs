@@ -1,6 +1,6 @@
 //! Whole missions, all sensors, noise and physics.
 
-use std::fmt::Write as _;
+use std::{fmt::Write as _, time::Duration};
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use uchain_sim::{
@@ -37,7 +37,7 @@ fn missions(criterion: &mut Criterion) {
 /// A long tunnel with a chain of UAVs 2 m apart, all in the air.
 fn chains(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("chain in a long tunnel [UAV-second]");
-    group.sample_size(20);
+    group.sample_size(20).warm_up_time(Duration::from_millis(200)).measurement_time(Duration::from_secs(2));
     for uavs in [5, 20, 100, 1000] {
         let course = long_tunnel(uavs);
         let ticks = TICKS_PER_S as usize;

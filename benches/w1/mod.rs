@@ -4,6 +4,8 @@
 pub(crate) mod ours;
 mod plain;
 
+use core::time::Duration;
+
 use criterion::{BenchmarkId, Criterion, Throughput};
 use glam::Vec2;
 use uchain_core::chain::{CenterParams, Command, Follow, Tof, center};
@@ -72,6 +74,7 @@ pub(crate) fn all(criterion: &mut Criterion) {
         [("w1 walls seen [robot-step]", Seen::Walls), ("w1 robots seen [robot-step]", Seen::Robots)]
     {
         let mut group = criterion.benchmark_group(name);
+        group.warm_up_time(Duration::from_millis(500)).measurement_time(Duration::from_secs(2));
         for count in [4, 64, 256] {
             group.throughput(Throughput::Elements(count as u64));
             group.bench_function(BenchmarkId::new("ours", count), |b| {

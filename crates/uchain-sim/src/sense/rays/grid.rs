@@ -110,6 +110,18 @@ impl GridRays {
     }
 }
 
+#[cfg(test)]
+impl GridRays {
+    /// Memory of the lists (bytes), and what is promised for a number of walls.
+    pub(super) fn bytes(&self) -> usize {
+        self.lists.bytes()
+    }
+
+    pub(super) fn most_bytes(walls: usize) -> usize {
+        WALL_BYTES * walls + BASE_BYTES
+    }
+}
+
 impl Rays for GridRays {
     fn cast(&self, from: Vec2, direction: Vec2, range_m: f32) -> f32 {
         let (batches, covered_m) = self.first(from, range_m);
@@ -147,18 +159,5 @@ impl Rays for GridRays {
             }
         }
         nearest_m
-    }
-}
-
-impl GridRays {
-    /// TEMP
-    pub fn describe(&self) -> String {
-        format!(
-            "reach {:.2} cell {:.2} kB {} mean {:.1}",
-            self.reach_m,
-            self.lists.lattice().cell_m(),
-            self.lists.bytes() / 1000,
-            self.lists.mean_batches()
-        )
     }
 }

@@ -77,6 +77,7 @@ impl Lists {
     }
 
     /// Memory (bytes).
+    #[cfg(test)]
     pub(super) fn bytes(&self) -> usize {
         bytes(self.blocks.len(), self.starts.len() - 1, self.batches.len())
     }
@@ -149,10 +150,4 @@ fn index(blocks: &[u32], cell: Cell) -> usize {
 
 fn bytes(blocks: usize, cells: usize, batches: usize) -> usize {
     (blocks + cells + 1) * size_of::<u32>() + batches * size_of::<Batch>()
-}
-impl Lists {
-    pub(super) fn mean_batches(&self) -> f64 {
-        let n = self.starts.windows(2).filter(|w| w[1] > w[0]).count();
-        self.batches.len() as f64 / n as f64
-    }
 }
