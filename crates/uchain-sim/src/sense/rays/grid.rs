@@ -9,8 +9,9 @@ use super::{
 };
 use crate::map::Map;
 
-/// Walls that a list may hold on average (1) where one list answers a whole ray …
-const LONG_LIST: f32 = 20.0;
+/// Walls that a list may hold on average (1) where one list answers a whole ray (half as many cost the rays of a
+/// winding tunnel half as much again) …
+const LONG_LIST: f32 = 100.0;
 /// … and where a ray goes on from list to list. Both measured: somewhat more or less costs little.
 const LONG_LISTS: f32 = 10.0;
 /// Memory for the lists: this much (bytes) …
