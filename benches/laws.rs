@@ -1,12 +1,16 @@
 use std::hint::black_box;
 
 use criterion::Criterion;
-use uchain_core::chain::{
-    CenterParams, EqualizeParams, Follow, KalmanParams, ScalarKalman, Tof, center, equalize,
+use uchain_core::{
+    chain::{
+        CenterParams, EqualizeParams, Follow, Heard, KalmanParams, Node, NodeParams, Observation, Packet,
+        RadioSlot, Role, ScalarKalman, Tof, center, equalize,
+    },
+    seam::Brain,
 };
 
 pub(crate) fn all(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("laws");
+    let mut group = criterion.benchmark_group("laws [call]");
     let kalman = KalmanParams::default();
     group.bench_function("kalman step", |b| {
         let mut filter = ScalarKalman::start(50.0, &kalman).expect("a finite loss");
@@ -22,6 +26,23 @@ pub(crate) fn all(criterion: &mut Criterion) {
     let tof = Tof { nw_m: 0.7, ne_m: 0.8, sw_m: 0.75, se_m: 0.9 };
     group.bench_function("center", |b| {
         b.iter(|| center(black_box(&tof), false, Follow::Centre, &params));
+    });
+    let seen = Observation { tof: Some(tof), ..Observation::default() };
+    group.bench_function("decide, distances only", |b| {
+        let mut node = Node::new(Role::Head, NodeParams::default());
+        node.decide(&Observation { radio: Some(RadioSlot::default()), ..seen });
+        b.iter(|| node.decide(black_box(&seen)));
+    });
+    let heard = Some(Heard { loss_db: 55.0, packet: Packet { flown_s: 100.0, ..Packet::default() } });
+    let radio = Some(RadioSlot { back: heard, front: heard });
+    let seen = Observation { radio, ground_speed_mps: 0.1, ..seen };
+    group.bench_function("decide, distances and radio", |b| {
+        let mut node = Node::new(Role::Relay, NodeParams::default());
+        // On the ground until the loss has been above s_min for a while.
+        let far = heard.map(|heard| Heard { loss_db: 80.0, ..heard });
+        let far = Observation { radio: Some(RadioSlot { back: None, front: far }), ..seen };
+        (0..100).for_each(|_| drop(node.decide(&far)));
+        b.iter(|| node.decide(black_box(&seen)));
     });
     group.finish();
 }

@@ -7,6 +7,7 @@ use uchain_sim::{
     config::{Course, Scenario, Source, builtin},
     record::TICKS_PER_S,
     run::{run, total_ticks},
+    sense::{ParryRays, Rays},
     sim::Sim,
 };
 
@@ -21,15 +22,19 @@ pub(crate) fn circuit() -> Course {
     Course::read(&source, &["chain.uavs=5".to_owned()]).expect("a valid course")
 }
 
-/// A mission from its first tick to its last, digest and summary included.
+/// A mission from its first tick to its last; ours with digest and summary.
 fn missions(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("mission circuit [simulated second]");
     group.sample_size(20);
     let course = circuit();
-    let seconds = total_ticks(course.scenario.duration_s) / TICKS_PER_S as u64;
-    group.throughput(Throughput::Elements(seconds));
-    group.bench_function(BenchmarkId::new("ours", course.scenario.chain.uavs), |b| {
+    let (uavs, ticks) = (course.scenario.chain.uavs, total_ticks(course.scenario.duration_s));
+    group.throughput(Throughput::Elements(ticks / TICKS_PER_S as u64));
+    group.bench_function(BenchmarkId::new("ours", uavs), |b| {
         b.iter(|| run(&course, 1, &mut ()).expect("nobody stops it"));
+    });
+    let rays = ParryRays::new(&course.map);
+    group.bench_function(BenchmarkId::new("plain", uavs), |b| {
+        b.iter(|| fly(&mut Sim::plain(&course, 1, &rays), ticks));
     });
     group.finish();
 }
@@ -40,16 +45,27 @@ fn chains(criterion: &mut Criterion) {
     group.sample_size(20).warm_up_time(Duration::from_millis(200)).measurement_time(Duration::from_secs(2));
     for uavs in [5, 20, 100, 1000] {
         let course = long_tunnel(uavs);
-        let ticks = TICKS_PER_S as usize;
+        let second = TICKS_PER_S as u64;
+        // One takes off at every decision.
+        let warm_up = second * (10 + uavs as u64 / 5);
         group.throughput(Throughput::Elements(uavs as u64));
         group.bench_function(BenchmarkId::new("ours", uavs), |b| {
             let mut sim = Sim::new(&course, 1);
-            // One takes off at every decision.
-            (0..ticks * (10 + uavs / 5)).for_each(|_| sim.step(&mut ()).expect("nobody stops it"));
-            b.iter(|| (0..ticks).for_each(|_| sim.step(&mut ()).expect("nobody stops it")));
+            fly(&mut sim, warm_up);
+            b.iter(|| fly(&mut sim, second));
+        });
+        let rays = ParryRays::new(&course.map);
+        group.bench_function(BenchmarkId::new("plain", uavs), |b| {
+            let mut sim = Sim::plain(&course, 1, &rays);
+            fly(&mut sim, warm_up);
+            b.iter(|| fly(&mut sim, second));
         });
     }
     group.finish();
+}
+
+fn fly(sim: &mut Sim<'_, impl Rays>, ticks: u64) {
+    (0..ticks).for_each(|_| sim.step(&mut ()).expect("nobody stops it"));
 }
 
 /// 2.1 km of zig-zag, 1.2 m wide, 420 walls.

@@ -6,6 +6,8 @@ mod allocation;
 mod centering;
 /// Same seed, same bits.
 mod determinism;
+/// What is left out for speed changes no bit.
+mod fast;
 /// Whatever goes wrong with the radio, a run ends in words.
 mod faults;
 /// Claims of the laws for whatever they may meet.

@@ -1,5 +1,6 @@
 //! One tick: sense, decide, act, advance, record. Read this first.
 
+use glam::Vec2;
 use uchain_core::chain::{Command, Observation};
 
 use crate::{
@@ -8,16 +9,16 @@ use crate::{
     mission::ChainMission,
     record::{Frame, RecordError, Recorder, TICK_S, TICKS_PER_S, UavFrame},
     seed::{Seed, Source},
-    sense::{FlowNoise, GridRays, TofBeams, TofNoise, read_tof},
+    sense::{FlowNoise, GridRays, Rays, TofBeams, TofNoise, read_tof},
     world::World,
 };
 
 /// A chain mission under way.
 #[derive(Debug)]
-pub struct Sim<'a> {
+pub struct Sim<'a, R = GridRays> {
     world: World<'a>,
     mission: ChainMission<'a>,
-    senses: Senses<'a>,
+    senses: Senses<'a, R>,
     from_base: &'a Geodesic,
     trail: Trail,
     decision_ticks: u64,
@@ -29,8 +30,8 @@ pub struct Sim<'a> {
 
 /// The sensors of all UAVs.
 #[derive(Debug)]
-struct Senses<'a> {
-    rays: &'a GridRays,
+struct Senses<'a, R> {
+    rays: &'a R,
     beams: TofBeams,
     tof_ticks: u64,
     tof_noise: Vec<TofNoise>,
@@ -42,23 +43,42 @@ fn ticks(period_s: f32) -> u64 {
     ((period_s / TICK_S).round() as u64).max(1)
 }
 
+/// Places and headings in which the UAVs wait.
+fn spawns(course: &Course) -> impl Iterator<Item = (Vec2, f32)> {
+    course.spawns.iter().map(|spawn| (spawn.at, spawn.heading_rad))
+}
+
 impl<'a> Sim<'a> {
     /// A mission at its first tick.
     pub fn new(course: &'a Course, seed: u64) -> Self {
+        let world = World::new(&course.map, course.scenario.motion.clone(), spawns(course));
+        Self::start(course, seed, &course.rays, world)
+    }
+}
+
+impl<'a, R: Rays> Sim<'a, R> {
+    /// The same mission with these rays and every UAV in rapier at every tick: the slow way, and the measure of
+    /// [`Sim::new`] in tests and benchmarks. With [`Course::rays`] it has the same bits until something touches; with
+    /// [`ParryRays`](crate::sense::ParryRays) it is what the libraries do by themselves.
+    pub fn plain(course: &'a Course, seed: u64, rays: &'a R) -> Self {
+        let world = World::ungated(&course.map, course.scenario.motion.clone(), spawns(course));
+        Self::start(course, seed, rays, world)
+    }
+
+    fn start(course: &'a Course, seed: u64, rays: &'a R, world: World<'a>) -> Self {
         let (scenario, seed) = (&course.scenario, Seed(seed));
         let robots = 0..course.spawns.len() as u32;
         let tof = |i| TofNoise::new(seed.stream(i, Source::Tof), scenario.tof.clone());
         let flow = |i| FlowNoise::new(seed.stream(i, Source::Flow), scenario.flow.clone());
         let senses = Senses {
-            rays: &course.rays,
+            rays,
             beams: TofBeams::new(&scenario.tof),
             tof_ticks: ticks(scenario.tof.period_s),
             tof_noise: robots.clone().map(tof).collect(),
             flow: robots.clone().map(flow).collect(),
         };
-        let spawns = course.spawns.iter().map(|s| (s.at, s.heading_rad));
         Self {
-            world: World::new(&course.map, scenario.motion.clone(), spawns),
+            world,
             mission: ChainMission::new(course, seed),
             senses,
             from_base: &course.from_base,
