@@ -4,6 +4,8 @@
 mod centering;
 /// Same seed, same bits.
 mod determinism;
+/// A team explores rooms by scans and messages alone.
+mod explore;
 /// Whatever goes wrong with the radio, a run ends in words.
 mod faults;
 /// Claims of the laws for whatever they may meet.
