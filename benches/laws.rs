@@ -41,7 +41,9 @@ pub(crate) fn all(criterion: &mut Criterion) {
         // On the ground until the loss has been above s_min for a while.
         let far = heard.map(|heard| Heard { loss_db: 80.0, ..heard });
         let far = Observation { radio: Some(RadioSlot { back: None, front: far }), ..seen };
-        (0..100).for_each(|_| drop(node.decide(&far)));
+        for _ in 0..100 {
+            node.decide(&far);
+        }
         b.iter(|| node.decide(black_box(&seen)));
     });
     group.finish();

@@ -6,6 +6,8 @@ mod allocation;
 mod centering;
 /// Same seed, same bits.
 mod determinism;
+/// A team explores rooms by scans and messages alone.
+mod explore;
 /// What is left out for speed changes no bit.
 mod fast;
 /// Whatever goes wrong with the radio, a run ends in words.

@@ -1,14 +1,24 @@
-//! What flies on the drone: the U-Chain laws of Laclau 2021, without a heap and without std.
+//! What flies on the drone, without std: the laws of two papers.
 //!
-//! A drone feeds a [`chain::Node`] with an [`chain::Observation`] whenever a sensor or the radio has
-//! something new, and flies the [`chain::Command`] it gets back. No position enters, anywhere: what a
-//! robot may know is in [`seam`] and [`chain::Observation`], in plain `f32` fields with the unit in the
-//! name. Equations are cited as in the paper: Laclau, Tempez, Ruffier, Natalizio, Mouret,
-//! "Signal-Based Self-Organization of a Chain of UAVs for Subterranean Exploration", 2021.
+//! [`chain`] is U-Chain: Laclau, Tempez, Ruffier, Natalizio, Mouret, "Signal-Based Self-Organization of a Chain of
+//! UAVs for Subterranean Exploration", 2021. A drone feeds a [`chain::Node`] with a [`chain::Observation`] whenever
+//! a sensor or the radio has something new, and flies the [`chain::Command`] it gets back. No position enters,
+//! anywhere, and no heap is needed.
+//!
+//! `explore` (feature `alloc`) is CSSG: Kim, Eggleton, Wilkerson, Gadsden, "Cooperative Sensor-based Selective Graph
+//! Exploration Strategy for a Team of Quadrotors", 2021. Its robots know their own *estimated* poses, their scans and
+//! what the others say, and nothing else.
+//!
+//! What a robot may know is in plain `f32` fields with the unit in the name. Equations are cited as in the papers.
 //!
 //! Conventions: x forward, y left, angles counter-clockwise; radio is a *loss* in dB, bigger is worse.
 #![no_std]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
 pub mod chain;
+#[cfg(feature = "alloc")]
+pub mod explore;
 pub mod params;
 pub mod seam;

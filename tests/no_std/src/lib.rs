@@ -1,8 +1,13 @@
 //! `uchain-core` as a drone would link it. This library brings a panic handler and no allocator, so it builds only
 //! while nothing under the core pulls in std, which brings another handler, or alloc, which needs an allocator.
 //!
+//! With the feature `explore` it brings an allocator too, and explores.
+//!
 //! Whole nodes fly with tunables the compiler cannot know, so that every variant of every law is linked.
 #![no_std]
+
+#[cfg(feature = "explore")]
+mod explore;
 
 use core::{fmt::Write as _, hint::black_box};
 

@@ -54,7 +54,7 @@ pub(crate) const STEPS: &[Step] = &[
     },
     Step {
         name: "no-std",
-        about: "uchain-core links without std, heap or system mathematics",
+        about: "uchain-core links without std, system mathematics or, exploration apart, a heap",
         run: no_std::links,
     },
     Step {
