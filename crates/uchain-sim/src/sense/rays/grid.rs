@@ -27,7 +27,7 @@ const UNIT: f32 = 1e-3;
 /// Rays in lists: each cell of a grid lists every wall within reach of it, so that a look at one list answers all rays
 /// that are no longer than the reach, whatever their number and direction. Longer rays go on from list to list.
 ///
-/// Every distance is that of one and the same test ([`batch`](super::batch)), so that it does not depend on the lists
+/// Every distance is that of one and the same test, so that it does not depend on the lists
 /// to the bit, nor on the processor. It is within a few millionths of the numbers it is made of: 10 µm at 30 m.
 ///
 /// It never changes once built: all runs share one. It takes at most 192 bytes a wall and 1 MiB, however far the walls
