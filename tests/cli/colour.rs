@@ -47,6 +47,8 @@ fn on_a_terminal(args: &str, environment: &[(&str, &str)]) -> Option<Vec<u8>> {
         .current_dir(here.path())
         .env("TERM", "xterm-256color")
         .env_remove("NO_COLOR")
+        // Where CI is set, colour is taken to be welcome even on a dumb terminal.
+        .env_remove("CI")
         .envs(environment.iter().copied())
         .stdin(Stdio::null());
     match script.output() {
