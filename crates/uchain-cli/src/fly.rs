@@ -2,7 +2,7 @@
 
 use uchain_sim::{
     analyse::Summary,
-    config::{Course, Source},
+    config::{Course, Mission, Source},
     draw,
     record::Recorder,
     run::{RunError, run, total_ticks},
@@ -19,7 +19,10 @@ use crate::{
 
 pub(crate) fn fly(asked: &Run) -> Result<(), Failure> {
     let source = Source::find(&asked.scenario)?;
-    let course = Course::read(&source, &asked.set)?;
+    let course = match Mission::read(&source, &asked.set)? {
+        Mission::Chain(course) => course,
+        Mission::Explore(site) => return crate::explore::explore(asked, &site),
+    };
     let folder = match &asked.out {
         Some(path) => Folder::chosen(path, asked.force)?,
         None => Folder::ours("runs", &format!("{}-s{}", course.scenario.name, asked.seed)),

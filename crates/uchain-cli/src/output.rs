@@ -24,6 +24,9 @@ pub(crate) const RUN: Names = Names { numbers: "summary.json", picture: "run.png
 /// What `uchain plan` leaves.
 pub(crate) const PLAN: Names = Names { numbers: "plan.json", picture: "plan.png" };
 
+/// What `uchain run` leaves of an exploration besides: the explored map, as a ROS map.
+pub(crate) const MAP: [&str; 2] = ["map.yaml", "map.pgm"];
+
 /// How names of files start that are not finished yet.
 const UNFINISHED: &str = ".uchain-";
 
@@ -52,7 +55,7 @@ impl Folder {
             let name = entry.map_err(refuse)?.file_name();
             let name = name.to_string_lossy();
             let known = [RUN, PLAN].iter().any(|names| name == names.numbers || name == names.picture);
-            let is_ours = known || name.starts_with(UNFINISHED);
+            let is_ours = known || MAP.iter().any(|map| name == *map) || name.starts_with(UNFINISHED);
             if !is_ours && !force {
                 return Err(Failure::Occupied { folder: path.to_owned(), found: name.into_owned() });
             }
@@ -65,17 +68,20 @@ impl Folder {
         format!("{} and {}", self.path.join(names.numbers).display(), names.picture)
     }
 
-    /// Writes the picture and the numbers. Both are complete under other names before either shows
-    /// under its own.
+    /// Writes the picture and the numbers.
     pub(crate) fn write(&self, names: &Names, numbers: &[u8], picture: &[u8]) -> Result<(), Failure> {
+        self.write_all(&[(names.picture, picture), (names.numbers, numbers)])
+    }
+
+    /// Writes files. All are complete under other names before any shows under its own.
+    pub(crate) fn write_all(&self, files: &[(&str, &[u8])]) -> Result<(), Failure> {
         let is_new = !self.path.exists();
         let written = fs::create_dir_all(&self.path)
             .map_err(|cause| Failure::Write { file: self.path.clone(), cause })
             .and_then(|()| {
-                let picture = self.prepare(names.picture, picture)?;
-                let numbers = self.prepare(names.numbers, numbers)?;
-                self.show(names.picture, picture)?;
-                self.show(names.numbers, numbers)
+                let ready = |&(name, bytes): &(&str, &[u8])| self.prepare(name, bytes);
+                let ready: Vec<NamedTempFile> = files.iter().map(ready).collect::<Result<_, _>>()?;
+                files.iter().zip(ready).try_for_each(|((name, _), file)| self.show(name, file))
             });
         if written.is_err() && is_new {
             // Goes only if it is empty, and then it is ours.

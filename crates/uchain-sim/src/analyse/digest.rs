@@ -4,7 +4,7 @@ use std::hash::Hasher;
 
 use twox_hash::XxHash64;
 
-use crate::record::{Frame, RecordError, Recorder};
+use crate::record::{ExploreFrame, Frame, RecordError, Recorder};
 
 /// `XxHash64` over every field of every frame, in order.
 #[derive(Debug)]
@@ -47,6 +47,44 @@ impl Recorder for Digest {
             }
             self.number(frame.head_reach_m);
         }
+        Ok(())
+    }
+}
+
+impl Recorder<ExploreFrame> for Digest {
+    fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
+        self.0.write(&frame.tick.to_le_bytes());
+        self.0.write(&frame.rounds.to_le_bytes());
+        for robot in &frame.robots {
+            for value in [robot.x_m, robot.y_m, robot.z_m, robot.heading_rad] {
+                self.number(value);
+            }
+            self.0.write(&robot.level.to_le_bytes());
+            self.0.write(&[robot.purpose as u8, robot.moves.into(), robot.holds.into(), robot.mfl.into()]);
+            self.0.write(&robot.wall_contacts.to_le_bytes());
+            self.0.write(&robot.robot_contacts.to_le_bytes());
+        }
+        for node in &frame.nodes {
+            self.0.write(&node.id.robot.to_le_bytes());
+            for value in node.believed_m {
+                self.number(value);
+            }
+            for sector in &node.sectors {
+                self.0.write(&[sector.label as u8]);
+                self.number(sector.r_m);
+            }
+        }
+        for change in &frame.labels {
+            self.0.write(&change.node.robot.to_le_bytes());
+            self.0.write(&change.node.number.to_le_bytes());
+            self.0.write(&change.sector.to_le_bytes());
+        }
+        for end in frame.edges.iter().flatten() {
+            self.0.write(&end.robot.to_le_bytes());
+            self.0.write(&end.number.to_le_bytes());
+        }
+        self.0.write(&frame.hubs.to_le_bytes());
+        self.0.write(&[frame.stopped.map_or(u8::MAX, |stopped| stopped as u8)]);
         Ok(())
     }
 }

@@ -1,6 +1,7 @@
 //! Frames in, numbers out.
 
 mod digest;
+pub mod explore;
 mod metrics;
 pub mod optimum;
 mod plan;

@@ -6,10 +6,10 @@ use super::{ConfigError, MapConfig, Scenario, document::Document};
 use crate::record::TICKS_PER_S;
 
 /// Length of a tick (s). Every period is a multiple of it.
-const TICK_S: f64 = 1.0 / TICKS_PER_S;
+pub(super) const TICK_S: f64 = 1.0 / TICKS_PER_S;
 
 /// Longest run (s): a day.
-const DURATION_MAX_S: f64 = 86_400.0;
+pub(super) const DURATION_MAX_S: f64 = 86_400.0;
 
 /// Most UAVs in one chain.
 pub const UAVS_MAX: usize = 1000;
@@ -32,7 +32,7 @@ pub(super) fn values(scenario: &Scenario, document: &Document<'_>) -> Result<(),
     check.name(&scenario.name)?;
     check.range("duration_s", scenario.duration_s, TICK_S, DURATION_MAX_S)?;
     check.ticks("duration_s", scenario.duration_s)?;
-    check.map(scenario)?;
+    check.map(&scenario.map)?;
     check.chain(scenario)?;
     check.pilot(scenario)?;
     check.params(scenario)?;
@@ -42,12 +42,12 @@ pub(super) fn values(scenario: &Scenario, document: &Document<'_>) -> Result<(),
     check.ticks("tof.period_s", f64::from(scenario.tof.period_s))
 }
 
-struct Check<'d> {
-    document: &'d Document<'d>,
+pub(super) struct Check<'d> {
+    pub(super) document: &'d Document<'d>,
 }
 
 impl Check<'_> {
-    fn invalid(&self, key: &str, got: &dyn ToString, expected: impl Into<String>) -> ConfigError {
+    pub(super) fn invalid(&self, key: &str, got: &dyn ToString, expected: impl Into<String>) -> ConfigError {
         ConfigError::Invalid {
             at: self.document.origin(key),
             key: key.to_owned(),
@@ -56,14 +56,14 @@ impl Check<'_> {
         }
     }
 
-    fn range(&self, key: &str, got: f64, low: f64, high: f64) -> Result<(), ConfigError> {
+    pub(super) fn range(&self, key: &str, got: f64, low: f64, high: f64) -> Result<(), ConfigError> {
         if (low..=high).contains(&got) {
             return Ok(());
         }
         Err(self.invalid(key, &got, format!("must lie in {low}..={high}")))
     }
 
-    fn ticks(&self, key: &str, got_s: f64) -> Result<(), ConfigError> {
+    pub(super) fn ticks(&self, key: &str, got_s: f64) -> Result<(), ConfigError> {
         let ticks = got_s / TICK_S;
         if (ticks - ticks.round()).abs() <= 1e-4 && ticks > 0.5 {
             return Ok(());
@@ -71,7 +71,7 @@ impl Check<'_> {
         Err(self.invalid(key, &got_s, format!("must be a multiple of the tick, {TICK_S} s")))
     }
 
-    fn name(&self, name: &str) -> Result<(), ConfigError> {
+    pub(super) fn name(&self, name: &str) -> Result<(), ConfigError> {
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if (1..=64).contains(&name.len()) && name.chars().all(plain) {
             return Ok(());
@@ -80,8 +80,8 @@ impl Check<'_> {
         Err(self.invalid("name", &format!("{name:?}"), expected))
     }
 
-    fn map(&self, scenario: &Scenario) -> Result<(), ConfigError> {
-        match &scenario.map {
+    pub(super) fn map(&self, map: &MapConfig) -> Result<(), ConfigError> {
+        match map {
             MapConfig::Corridor(corridor) => {
                 self.range("map.corridor.width_m", corridor.width_m, 0.1, 100.0)?;
                 for (i, corner) in corridor.centre_line_m.iter().enumerate() {
@@ -96,6 +96,14 @@ impl Check<'_> {
                     }
                 }
                 Ok(())
+            }
+            MapConfig::Walls(walls) => {
+                let outer = walls.outer_m.iter().enumerate().map(|(i, at)| (format!("outer_m.{i}"), at));
+                let inner = walls.inner_m.iter().enumerate().flat_map(|(loop_, corners)| {
+                    let key = move |(i, at)| (format!("inner_m.{loop_}.{i}"), at);
+                    corners.iter().enumerate().map(key)
+                });
+                outer.chain(inner).try_for_each(|(key, &at)| self.point(&format!("map.walls.{key}"), at))
             }
             MapConfig::Ros(ros) => self.range("map.ros.simplify_m", ros.simplify_m, 0.0, 1.0),
         }
@@ -119,7 +127,7 @@ impl Check<'_> {
         spawns.iter().enumerate().try_for_each(|(i, &at)| self.point(&format!("chain.spawns_m.{i}"), at))
     }
 
-    fn point(&self, key: &str, at: [f64; 2]) -> Result<(), ConfigError> {
+    pub(super) fn point(&self, key: &str, at: [f64; 2]) -> Result<(), ConfigError> {
         at.iter().enumerate().try_for_each(|(j, &value_m)| {
             self.range(&format!("{key}.{j}"), value_m, -FRAME_MAX_M, FRAME_MAX_M)
         })

@@ -7,6 +7,7 @@ use super::{
     ConfigError, Scenario, Source, check,
     diagnose::{Choices, Origin, shorten},
     document::Document,
+    mission,
 };
 
 impl Scenario {
@@ -31,6 +32,7 @@ impl Scenario {
     }
 
     pub(super) fn from_document(document: &Document<'_>) -> Result<Self, ConfigError> {
+        mission::is_chain(document)?;
         let scenario = Self::deserialize(ValueDeserializer::from(document.root()))
             .map_err(|error| explain(&error, document))?;
         check::values(&scenario, document)?;
@@ -39,7 +41,7 @@ impl Scenario {
 }
 
 /// Puts the deserializer's words into ours.
-fn explain(error: &toml::de::Error, document: &Document<'_>) -> ConfigError {
+pub(super) fn explain(error: &toml::de::Error, document: &Document<'_>) -> ConfigError {
     let span = error.span().unwrap_or_default();
     let path = document.path_of(&span);
     let at = if path.is_empty() { document.whole() } else { document.place(&span) };
@@ -59,7 +61,8 @@ fn explain(error: &toml::de::Error, document: &Document<'_>) -> ConfigError {
         return ConfigError::Missing { at, key: join(&path, key) };
     }
     if message.starts_with("wanted exactly 1 element") {
-        let expected = "expected one of the tables [map.corridor] and [map.ros], and only one".to_owned();
+        let expected =
+            "expected one of the tables [map.corridor], [map.walls] and [map.ros], and only one".to_owned();
         return ConfigError::Invalid { at, key: path, got: "{ … }".to_owned(), expected };
     }
     let (found, expected) = message.rsplit_once(", expected ").unwrap_or((message, "another value"));

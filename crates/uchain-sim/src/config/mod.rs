@@ -5,6 +5,7 @@ mod course;
 mod diagnose;
 mod document;
 mod load;
+mod mission;
 mod scenario;
 mod source;
 #[cfg(test)]
@@ -13,5 +14,6 @@ mod tests;
 pub use check::UAVS_MAX;
 pub use course::{Course, Spawn};
 pub use diagnose::{Choices, ConfigError, Origin};
-pub use scenario::{ChainConfig, CorridorConfig, MapConfig, PilotStep, RosConfig, Scenario};
+pub use mission::{ExploreScenario, Mission, Site, TeamConfig, VehicleKind, describe};
+pub use scenario::{ChainConfig, CorridorConfig, MapConfig, PilotStep, RosConfig, Scenario, WallsConfig};
 pub use source::{PRESETS, Preset, Source, TEXT_MAX_BYTES, builtin, builtin_names};

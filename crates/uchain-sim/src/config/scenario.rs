@@ -64,12 +64,14 @@ pub struct Scenario {
     pub motion: MotionParams,
 }
 
-/// Where the tunnel comes from: one of `[map.corridor]` and `[map.ros]`.
+/// Where the map comes from: one of `[map.corridor]`, `[map.walls]` and `[map.ros]`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum MapConfig {
     /// A corridor of one width along a centre line.
     Corridor(CorridorConfig),
+    /// Walls drawn one by one.
+    Walls(WallsConfig),
     /// A ROS `map_server` map.
     Ros(RosConfig),
 }
@@ -85,6 +87,17 @@ pub struct CorridorConfig {
     /// Whether the last corner joins the first again.
     #[serde(default)]
     pub closed: bool,
+}
+
+/// Walls drawn one by one, as closed loops of corners `[x, y]` (m). Loops neither cross nor touch.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WallsConfig {
+    /// What surrounds the free space.
+    pub outer_m: Vec<[f64; 2]>,
+    /// Solid pieces that stand in it.
+    #[serde(default)]
+    pub inner_m: Vec<Vec<[f64; 2]>>,
 }
 
 /// A ROS `map_server` map.

@@ -1,5 +1,10 @@
 //! What one instant of a run leaves behind, and who may listen.
 
+mod explore;
+
+pub(crate) use explore::whole_ticks;
+pub use explore::{ExploreFrame, LabelFrame, NodeFrame, RobotFrame, Stopped};
+
 /// One UAV at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UavFrame {
@@ -67,13 +72,13 @@ impl Frame {
     }
 }
 
-/// Someone who is shown every frame, in order. It can stop the run, it cannot change it.
-pub trait Recorder {
+/// Someone who is shown every frame of a mission, in order: those of a chain, or [`ExploreFrame`]s. It can stop the run, it cannot change it.
+pub trait Recorder<F = Frame> {
     /// One frame.
     ///
     /// # Errors
     /// [`RecordError`] ends the run.
-    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError>;
+    fn frame(&mut self, frame: &F) -> Result<(), RecordError>;
 }
 
 /// Why a recorder ended a run.
@@ -91,22 +96,22 @@ pub enum RecordError {
 }
 
 /// Nobody listens.
-impl Recorder for () {
-    fn frame(&mut self, _: &Frame) -> Result<(), RecordError> {
+impl<F> Recorder<F> for () {
+    fn frame(&mut self, _: &F) -> Result<(), RecordError> {
         Ok(())
     }
 }
 
 /// Both listen, the first one first.
-impl<A: Recorder, B: Recorder> Recorder for (A, B) {
-    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+impl<F, A: Recorder<F>, B: Recorder<F>> Recorder<F> for (A, B) {
+    fn frame(&mut self, frame: &F) -> Result<(), RecordError> {
         self.0.frame(frame)?;
         self.1.frame(frame)
     }
 }
 
-impl<R: Recorder + ?Sized> Recorder for &mut R {
-    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+impl<F, R: Recorder<F> + ?Sized> Recorder<F> for &mut R {
+    fn frame(&mut self, frame: &F) -> Result<(), RecordError> {
         (**self).frame(frame)
     }
 }

@@ -1,6 +1,7 @@
 //! Bodies in a tunnel: the only room that moves anything.
 
 mod contact;
+mod fleet;
 mod motion;
 
 use glam::Vec2;
@@ -8,6 +9,7 @@ use uchain_core::chain::Command;
 
 use crate::{map::Map, record::TICK_S};
 use contact::Contacts;
+pub use fleet::{Fleet, PointMass, Vehicle, Waypoint};
 pub use motion::{Body, MotionParams};
 
 /// All UAVs of a run and the walls around them.
