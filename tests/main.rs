@@ -6,6 +6,8 @@ mod centering;
 mod determinism;
 /// A team explores rooms by scans and messages alone.
 mod explore;
+/// Explorations end at home, with everything seen and nothing touched.
+mod exploring;
 /// Whatever goes wrong with the radio, a run ends in words.
 mod faults;
 /// Claims of the laws for whatever they may meet.

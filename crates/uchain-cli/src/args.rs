@@ -13,6 +13,7 @@ Examples:
   uchain list                                what is there to fly
   uchain run corner                          fly it; results in runs/corner-s1
   uchain run corner --seed 7 --set chain.uavs=5 --set radio.sigma_db=0
+  uchain run apartment --set explore.robots=4   robots explore rooms together
   uchain run corner --set preset=cavemod     with the values of the authors' firmware
   uchain plan corner                         how many UAVs does it need? (flies nothing)
   uchain show corner > mine.toml             copy a scenario and edit it
@@ -43,7 +44,8 @@ has a default. Writes plan.json and plan.png.
 const SET_HELP: &str =
     "Write one value over the scenario's, such as chain.uavs=5 or pilot.0.speed_mps=0.1 (repeatable)";
 
-/// Fly a chain of UAVs that keep a radio link through a tunnel, and look at what it came to.
+/// Fly a chain of UAVs that keep a radio link through a tunnel, or robots that explore rooms, and look at what it
+/// came to.
 #[derive(Debug, Parser)]
 #[command(name = "uchain", version, max_term_width = 100, arg_required_else_help = true)]
 struct Cli {

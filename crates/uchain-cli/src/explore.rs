@@ -129,7 +129,13 @@ fn text(summary: &ExploreSummary, wall_s: f64, files: &str) -> String {
             summary.hubs_left
         ),
     );
-    line("contacts", &format!("{} wall, {} robot", summary.wall_contacts, summary.robot_contacts));
+    line(
+        "contacts",
+        &format!(
+            "{} wall, {} robot; {} near passes between levels",
+            summary.wall_contacts, summary.robot_contacts, summary.level_passes
+        ),
+    );
     line("digest", &summary.digest);
     line("files", files);
     text

@@ -68,6 +68,7 @@ impl<'a> Exploration<'a> {
             mfl: false,
             wall_contacts: 0,
             robot_contacts: 0,
+            level_passes: 0,
         };
         Some(Self {
             team: Team::new(&site.scenario, seed)?,
@@ -189,10 +190,11 @@ impl<'a> Exploration<'a> {
             frame.hubs = whole.hubs().count() as u32;
         }
         let contacts = self.fleet.contacts();
-        for ((robot, body), (walls, robots)) in frame.robots.iter_mut().zip(self.fleet.now()).zip(contacts) {
+        for ((robot, body), met) in frame.robots.iter_mut().zip(self.fleet.now()).zip(contacts) {
             (robot.x_m, robot.y_m, robot.z_m) = (body.at.x, body.at.y, body.z_m);
             robot.heading_rad = body.heading_rad;
-            (robot.wall_contacts, robot.robot_contacts) = (walls, robots);
+            (robot.wall_contacts, robot.robot_contacts) = (met.walls, met.robots);
+            robot.level_passes = met.passes;
         }
     }
 }

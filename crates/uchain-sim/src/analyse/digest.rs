@@ -63,6 +63,7 @@ impl Recorder<ExploreFrame> for Digest {
             self.0.write(&[robot.purpose as u8, robot.moves.into(), robot.holds.into(), robot.mfl.into()]);
             self.0.write(&robot.wall_contacts.to_le_bytes());
             self.0.write(&robot.robot_contacts.to_le_bytes());
+            self.0.write(&robot.level_passes.to_le_bytes());
         }
         for node in &frame.nodes {
             self.0.write(&node.id.robot.to_le_bytes());

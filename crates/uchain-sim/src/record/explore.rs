@@ -28,8 +28,10 @@ pub struct RobotFrame {
     pub mfl: bool,
     /// Wall contacts begun so far.
     pub wall_contacts: u32,
-    /// Contacts with other robots begun so far.
+    /// Contacts with other robots on its level begun so far.
     pub robot_contacts: u32,
+    /// Robots on their way from or to another level that it came as near to, so far.
+    pub level_passes: u32,
 }
 
 /// A node that was scanned at the start of the tick.

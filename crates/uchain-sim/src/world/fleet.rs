@@ -92,8 +92,8 @@ pub struct Fleet<'a> {
     r_body_m: f32,
     vehicles: Vec<Box<dyn Vehicle>>,
     touch: Vec<Touch>,
-    /// Pairs of robots in touch, lower index first.
-    pairs: Vec<[usize; 2]>,
+    /// Pairs of robots in touch, lower index first, and whether they are to be at one height.
+    pairs: Vec<([usize; 2], bool)>,
 }
 
 /// What one robot touches.
@@ -103,14 +103,27 @@ struct Touch {
     room_m: f32,
     last: Vec2,
     at_wall: bool,
-    walls: u32,
-    robots: u32,
+    /// Height it is told to be at (m).
+    level_m: f32,
+    met: Touches,
+}
+
+/// What a robot has touched so far; each is counted when it begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Touches {
+    /// Walls.
+    pub walls: u32,
+    /// Robots on its own level: nearer over ground than two radii.
+    pub robots: u32,
+    /// Robots on their way from or to another level: nearer through the air than two radii.
+    pub passes: u32,
 }
 
 impl<'a> Fleet<'a> {
     /// Robots of a radius in a map.
     pub fn new(map: &'a Map, r_body_m: f32, vehicles: Vec<Box<dyn Vehicle>>) -> Self {
-        let touch = vec![Touch::default(); vehicles.len()];
+        let touch: Vec<Touch> =
+            vehicles.iter().map(|body| Touch { level_m: body.now().z_m, ..Touch::default() }).collect();
         let mut fleet = Self { map, r_body_m, vehicles, touch, pairs: Vec::new() };
         fleet.feel();
         fleet
@@ -118,8 +131,9 @@ impl<'a> Fleet<'a> {
 
     /// One robot flies there from now on.
     pub fn fly_to(&mut self, robot: usize, to: Waypoint) {
-        if let Some(vehicle) = self.vehicles.get_mut(robot) {
+        if let (Some(vehicle), Some(touch)) = (self.vehicles.get_mut(robot), self.touch.get_mut(robot)) {
             vehicle.fly_to(to);
+            touch.level_m = to.z_m;
         }
     }
 
@@ -141,13 +155,12 @@ impl<'a> Fleet<'a> {
         self.vehicles.iter().all(|vehicle| vehicle.has_arrived())
     }
 
-    /// Per robot, contacts with walls and with other robots begun so far.
-    pub fn contacts(&self) -> impl Iterator<Item = (u32, u32)> + '_ {
-        self.touch.iter().map(|touch| (touch.walls, touch.robots))
+    /// Per robot, what it has touched so far.
+    pub fn contacts(&self) -> impl Iterator<Item = Touches> + '_ {
+        self.touch.iter().map(|touch| touch.met)
     }
 
-    /// A robot is a ball. It touches a wall, which goes up to the ceiling, nearer than its radius, and another robot
-    /// nearer than two.
+    /// A robot is a ball. It touches a wall, which goes up to the ceiling, nearer than its radius.
     fn feel(&mut self) {
         let now: Vec<Waypoint> = self.now().collect();
         for (i, here) in now.iter().enumerate() {
@@ -157,7 +170,7 @@ impl<'a> Fleet<'a> {
             if touch.room_m <= 0.0 {
                 touch.room_m = self.map.clearance_m(here.at) - self.r_body_m + TOUCH_M;
                 let at_wall = touch.room_m < 0.0 || self.map.in_rock(here.at);
-                touch.walls += u32::from(at_wall && !touch.at_wall);
+                touch.met.walls += u32::from(at_wall && !touch.at_wall);
                 touch.at_wall = at_wall;
             }
         }
@@ -166,14 +179,17 @@ impl<'a> Fleet<'a> {
         for (j, b) in now.iter().enumerate() {
             for (i, a) in now.iter().enumerate().take(j) {
                 let (over2, up) = (a.at.distance_squared(b.at), a.z_m - b.z_m);
-                if over2 + up * up >= near_m * near_m {
+                let one_level = self.touch[i].level_m == self.touch[j].level_m;
+                if over2 + if one_level { 0.0 } else { up * up } >= near_m * near_m {
                     continue;
                 }
-                if !before.contains(&[i, j]) {
-                    self.touch[i].robots += 1;
-                    self.touch[j].robots += 1;
+                if !before.contains(&([i, j], one_level)) {
+                    for robot in [i, j] {
+                        let met = &mut self.touch[robot].met;
+                        *(if one_level { &mut met.robots } else { &mut met.passes }) += 1;
+                    }
                 }
-                self.pairs.push([i, j]);
+                self.pairs.push(([i, j], one_level));
             }
         }
     }
@@ -188,7 +204,7 @@ mod tests {
         Waypoint { at: Vec2::new(x, y), z_m, heading_rad: 0.0 }
     }
 
-    fn fly(starts: &[Waypoint], ends: &[Waypoint]) -> (u32, Vec<(u32, u32)>) {
+    fn fly(starts: &[Waypoint], ends: &[Waypoint]) -> (u32, Vec<Touches>) {
         let map = drawn(&[vec![[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]]]).unwrap();
         let body = |&start: &Waypoint| Box::new(PointMass::new(start, 0.5, 0.5)) as Box<dyn Vehicle>;
         let mut fleet = Fleet::new(&map, 0.1, starts.iter().map(body).collect());
@@ -216,13 +232,22 @@ mod tests {
         let cross = |z_m: f32| {
             fly(&[at(-1.0, 0.0, 1.0), at(0.0, -1.0, z_m)], &[at(1.0, 0.0, 1.0), at(0.0, 1.0, z_m)]).1
         };
-        assert_eq!(cross(1.0), [(0, 1), (0, 1)]);
-        assert_eq!(cross(1.5), [(0, 0), (0, 0)]);
+        assert_eq!(cross(1.0), [Touches { robots: 1, ..Touches::default() }; 2]);
+        assert_eq!(cross(1.5), [Touches::default(); 2]);
+    }
+
+    #[test]
+    fn a_robot_that_climbs_past_another_one_passes_it() {
+        let (low, middle, high) = (at(0.0, 0.0, 0.5), at(0.1, 0.0, 1.0), at(0.0, 0.0, 1.5));
+        assert_eq!(fly(&[low, middle], &[high, middle]).1, [Touches { passes: 1, ..Touches::default() }; 2]);
     }
 
     #[test]
     fn a_robot_that_comes_nearer_to_a_wall_than_its_radius_touches_it_once() {
-        assert_eq!(fly(&[at(1.0, 0.0, 1.0)], &[at(1.95, 0.5, 1.0)]).1, [(1, 0)]);
-        assert_eq!(fly(&[at(1.0, 0.0, 1.0)], &[at(1.9, 0.5, 1.0)]).1, [(0, 0)]);
+        assert_eq!(
+            fly(&[at(1.0, 0.0, 1.0)], &[at(1.95, 0.5, 1.0)]).1,
+            [Touches { walls: 1, ..Touches::default() }]
+        );
+        assert_eq!(fly(&[at(1.0, 0.0, 1.0)], &[at(1.9, 0.5, 1.0)]).1, [Touches::default()]);
     }
 }

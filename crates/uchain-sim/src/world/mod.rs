@@ -9,7 +9,7 @@ use uchain_core::chain::Command;
 
 use crate::{map::Map, record::TICK_S};
 use contact::Contacts;
-pub use fleet::{Fleet, PointMass, Vehicle, Waypoint};
+pub use fleet::{Fleet, PointMass, Touches, Vehicle, Waypoint};
 pub use motion::{Body, MotionParams};
 
 /// All UAVs of a run and the walls around them.

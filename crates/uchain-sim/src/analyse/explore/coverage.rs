@@ -51,7 +51,7 @@ impl Coverage {
             }
             self.seen_by[index] |= bit;
             self.seen += usize::from(before == 0);
-            self.shared += usize::from(before.count_ones() == 1);
+            self.shared += usize::from(before.is_power_of_two());
         }
     }
 

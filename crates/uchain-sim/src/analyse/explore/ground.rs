@@ -102,7 +102,9 @@ impl Ground {
 
     /// The cell next to a cell in a direction, within the box.
     pub(super) fn beside(&self, index: usize, step: IVec2) -> Option<usize> {
-        let cell = IVec2::new(index as i32 % self.cols, index as i32 / self.cols);
+        // Cells are counted in i32: there are at most a few million.
+        let (cols, index) = (self.cols, i32::try_from(index).ok()?);
+        let cell = IVec2::new(index % cols, index / cols);
         self.index_of(cell + step)
     }
 

@@ -1,6 +1,6 @@
 //! The summary of an exploration, from its frames.
 
-use glam::{DVec2, DVec3};
+use glam::{DVec3, Vec2};
 
 use super::{Coverage, ExploreSummary};
 use crate::{
@@ -35,6 +35,7 @@ struct Tally {
     distance_3d_m: f64,
     wall_contacts: u32,
     robot_contacts: u32,
+    level_passes: u32,
 }
 
 /// What was seen, and when.
@@ -110,6 +111,7 @@ impl<'a> ExploreMetrics<'a> {
             unseen,
             wall_contacts: self.robots.iter().map(|robot| robot.wall_contacts).sum(),
             robot_contacts: self.robots.iter().map(|robot| robot.robot_contacts).sum::<u32>() / 2,
+            level_passes: self.robots.iter().map(|robot| robot.level_passes).sum::<u32>() / 2,
             digest,
         };
         (summary, Survey { curve: self.curve, coverage: self.coverage })
@@ -144,11 +146,12 @@ impl Recorder<ExploreFrame> for ExploreMetrics<'_> {
             distance_3d_m: 0.0,
             wall_contacts: 0,
             robot_contacts: 0,
+            level_passes: 0,
         };
         if self.robots.is_empty() {
             self.robots = frame.robots.iter().map(at_rest).collect();
             for (tally, node) in self.robots.iter_mut().zip(&frame.nodes) {
-                tally.at = DVec2::from(glam::Vec2::from(node.at_m).as_dvec2()).extend(tally.at.z);
+                tally.at = Vec2::from(node.at_m).as_dvec2().extend(tally.at.z);
             }
         }
         if frame.decision {
@@ -160,6 +163,7 @@ impl Recorder<ExploreFrame> for ExploreMetrics<'_> {
             tally.distance_3d_m += flown.length();
             tally.at = place(robot);
             (tally.wall_contacts, tally.robot_contacts) = (robot.wall_contacts, robot.robot_contacts);
+            tally.level_passes = robot.level_passes;
         }
         self.rounds = frame.rounds;
         self.mfl_ticks += u64::from(frame.robots.iter().any(|robot| robot.mfl));

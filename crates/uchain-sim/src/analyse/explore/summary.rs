@@ -62,8 +62,11 @@ pub struct ExploreSummary {
     pub unseen: Vec<Unseen>,
     /// Wall contacts begun.
     pub wall_contacts: u32,
-    /// Contacts between robots begun.
+    /// Contacts between robots on one level begun: nearer over ground than two radii.
     pub robot_contacts: u32,
+    /// Times that two robots, one of which changed its level, came nearer through the air than two radii. Kim 2021
+    /// chooses levels for the end of a move, not for the way there.
+    pub level_passes: u32,
     /// Hash over every bit of every frame, 16 hex digits.
     pub digest: String,
 }

@@ -47,7 +47,9 @@ impl Sheet<'_> {
         let robots = self.robots();
         for (i, way) in self.history.ways_m.iter().enumerate() {
             let points = way.iter().map(|&at| self.at(panel, at)).collect();
-            scene.add(line(points, &colour::of_uav(i, robots), 1.3));
+            // Ways run over each other: the later is the thinner.
+            let width = 1.2 + 0.6 * (robots - 1 - i).min(5) as f64;
+            scene.add(line(points, &colour::of_uav(i, robots), width));
         }
         let mut frontiers = 0;
         for node in &self.history.nodes {
