@@ -3,6 +3,9 @@
 /// Colour and other bytes for terminals.
 #[path = "cli/colour.rs"]
 mod colour;
+/// Explorations.
+#[path = "cli/explore.rs"]
+mod explore;
 /// What a beginner mistypes.
 #[path = "cli/hints.rs"]
 mod hints;
@@ -204,7 +207,7 @@ fn invalid_input_exits_with_3_says_where_and_writes_nothing() {
         (&["run", "cornr"], "error: unknown scenario 'cornr'; did you mean 'corner'?"),
         (
             &["run", "zzzzzzzz"],
-            "unknown scenario 'zzzzzzzz' (known: bend, circuit, circuit-cavemod, circuit-frontiers2021, corner, staircase, stata, straight); a path to a file works as well",
+            "unknown scenario 'zzzzzzzz' (known: apartment, bend, circuit, circuit-cavemod, circuit-frontiers2021, corner, corridors, staircase, stata, straight); a path to a file works as well",
         ),
         (&["run", "absent.toml"], "error: absent.toml: cannot read the scenario: No such file"),
         (&["run", "./absent"], "error: ./absent: cannot read the scenario: No such file"),
@@ -261,7 +264,7 @@ fn list_show_and_check_lead_from_a_name_to_a_file_of_ones_own() {
     let here = folder();
     let list = uchain(here.path(), &["list"]);
     assert_eq!(list.status.code(), Some(0));
-    for name in ["bend", "corner", "stata", "straight"] {
+    for name in ["apartment", "bend", "corner", "corridors", "stata", "straight"] {
         assert!(stdout(&list).lines().any(|line| line.starts_with(name)), "{}", stdout(&list));
     }
     let shown = uchain(here.path(), &["show", "corner"]);

@@ -8,6 +8,8 @@ mod centering;
 mod determinism;
 /// A team explores rooms by scans and messages alone.
 mod explore;
+/// Explorations end at home, with everything seen and nothing touched.
+mod exploring;
 /// What is left out for speed changes no bit.
 mod fast;
 /// Whatever goes wrong with the radio, a run ends in words.

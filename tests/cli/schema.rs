@@ -82,6 +82,24 @@ const CASES: &[(&str, bool)] = &[
     ("[equalize]\nlaw = \"Lipschitz\"", false),
     ("[center]\nlaw = \"lipschitz\"", false),
     ("[faults]\ndeaf = [{ uav = 0 }]", false),
+    // A chain explores nothing.
+    ("[explore]\nspawns_m = [[1, 0]]", false),
+];
+
+/// Whole lines of `apartment` written anew, and whether they are right.
+const EXPLORATIONS: &[(&str, &str, bool)] = &[
+    ("robots = 3", "robots = 2\nr_s_m = 2\nrange_m = 8.5\nedges = \"eq8\"", true),
+    ("robots = 3", "robots = 0", false),
+    ("robots = 3", "robots = 2.5", false),
+    ("robots = 3", "robot = 3", false),
+    ("robots = 3", "sectors = 361", false),
+    ("robots = 3", "range_m = -1", false),
+    ("strategy = \"cssg\"", "strategy = \"csg\"", false),
+    ("[[2.25, 5.0], ", "[[2.25], ", false),
+    ("[map.walls]", "[map.wall]", false),
+    ("[explore]", "[radio]\nsigma_db = 1.0\n[explore]", false),
+    ("[explore]", "[chain]\nuavs = 2\nbase_m = [0, 5]\n[explore]", false),
+    ("[explore]", "[expolre]", false),
 ];
 
 /// Whole lines of `straight` written anew, all wrong.
@@ -116,7 +134,13 @@ fn the_schema_refuses_what_the_reader_refuses_and_takes_what_it_takes() {
         assert!(straight.contains(old), "{old}");
         (straight.replacen(old, new, 1), false)
     };
-    for (text, is_right) in CASES.iter().map(with).chain(BAD_LINES.iter().map(without)) {
+    let apartment = shown(&["apartment"]);
+    let exploring = |(old, new, is_right): &(&str, &str, bool)| {
+        assert!(apartment.contains(old), "{old}");
+        (apartment.replacen(old, new, 1), *is_right)
+    };
+    let chains = CASES.iter().map(with).chain(BAD_LINES.iter().map(without));
+    for (text, is_right) in chains.chain(EXPLORATIONS.iter().map(exploring)) {
         fs::write(here.path().join("mine.toml"), &text).unwrap();
         let read = uchain(here.path(), &["check", "mine.toml", "--quiet"]);
         let code = if is_right { 0 } else { 3 };

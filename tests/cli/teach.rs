@@ -56,9 +56,10 @@ fn what_an_explanation_says_to_write_can_be_flown() {
     for key in keys {
         let card = uchain(here.path(), &["explain", key]);
         let set = stdout(&card).lines().find_map(|line| line.trim_start().strip_prefix("or         --set "));
-        // What belongs to another map does not go with this one.
-        if let Some(set) =
-            set.filter(|_| !key.starts_with("map.") && !["preset", "chain.goal_m"].contains(&key))
+        // What belongs to another map or to an exploration does not go with this one.
+        if let Some(set) = set
+            .filter(|_| !key.starts_with("map.") && !key.starts_with("explore."))
+            .filter(|_| !["preset", "chain.goal_m"].contains(&key))
         {
             args.extend(["--set".to_owned(), set.trim_matches('\'').to_owned()]);
         }
@@ -88,7 +89,7 @@ fn offered(words: &str) -> Vec<String> {
 #[test]
 fn bash_completes_commands_options_scenarios_presets_and_keys() {
     assert_eq!(offered("ru"), ["run"]);
-    assert_eq!(offered("run cor"), ["corner"]);
+    assert_eq!(offered("run corr"), ["corridors"]);
     assert_eq!(offered("run corner --se"), ["--seed", "--set"]);
     assert_eq!(offered("check corner --set radio.alpha_w"), ["radio.alpha_wall="]);
     assert_eq!(offered("run corner --set preset=c"), ["preset=cavemod"]);

@@ -18,7 +18,8 @@ pub(crate) use plan::Plan;
 const SET: &str =
     "Write one value over the scenario's, such as chain.uavs=5 or pilot.0.speed_mps=0.1 (repeatable)";
 
-/// Fly a chain of UAVs that keep a radio link through a tunnel, and look at what it came to.
+/// Fly a chain of UAVs that keep a radio link through a tunnel, or robots that explore rooms, and look at what it
+/// came to.
 #[derive(Debug, Parser)]
 #[command(name = "uchain", version, max_term_width = 100, arg_required_else_help = true)]
 struct Cli {
@@ -109,6 +110,13 @@ pub(crate) struct Run {
     pub(crate) recording: recording::Choice,
     #[command(flatten)]
     pub(crate) say: Say,
+}
+
+impl Run {
+    /// Where the results of this scenario go.
+    pub(crate) fn folder(&self, scenario: &str) -> Result<Folder, Failure> {
+        self.out.folder(|| Folder::ours("runs", &format!("{scenario}-s{}", self.seed)))
+    }
 }
 
 /// Where results go.

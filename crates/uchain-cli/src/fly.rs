@@ -2,7 +2,7 @@
 
 use uchain_sim::{
     analyse::Summary,
-    config::{Course, Source},
+    config::{Course, Mission, Source},
     draw,
     record::Recorder,
     run::{RunError, run, total_ticks},
@@ -11,7 +11,8 @@ use uchain_sim::{
 use crate::{
     args::Run,
     exit::Failure,
-    output::{Folder, Names, RUN},
+    explore::explore,
+    output::{Names, RUN},
     recording::Tape,
     report::Report,
     watch::{Watch, interrupted, listen_for_interrupt},
@@ -19,30 +20,34 @@ use crate::{
 
 pub(crate) fn fly(asked: &Run) -> Result<(), Failure> {
     let source = Source::find(&asked.scenario)?;
-    let course = Course::read(&source, &asked.sets.set)?;
-    let ours = || Folder::ours("runs", &format!("{}-s{}", course.scenario.name, asked.seed));
-    let folder = asked.out.folder(ours)?;
+    match Mission::read(&source, &asked.sets.set)? {
+        Mission::Chain(course) => chain(asked, &course),
+        Mission::Explore(site) => explore(asked, &site),
+    }
+}
 
+fn chain(asked: &Run, course: &Course) -> Result<(), Failure> {
+    let folder = asked.folder(&course.scenario.name)?;
     listen_for_interrupt();
     let ticks = total_ticks(course.scenario.duration_s);
     let mut watch = Watch::new(course.spawns.len(), ticks, asked.say.progress());
     let names = Names { recording: RUN.recording.filter(|_| asked.recording.wanted()), ..RUN };
-    let tape = names.recording.map(|name| Tape::begin(&folder, name, &course, asked.seed));
+    let tape = names.recording.map(|name| Tape::begin(&folder, name, course, asked.seed));
     let mut tape = tape.transpose()?;
-    let flown = timed(&course, asked.seed, &mut (&mut watch, &mut tape));
+    let flown = timed(course, asked.seed, &mut (&mut watch, &mut tape));
     let (summary, wall_s) = match (flown, tape) {
         (Ok(flown), Some(tape)) => tape.end().map(|()| flown)?,
         (Ok(flown), None) => flown,
         (Err(error), Some(tape)) => return Err(tape.cut(error)),
         (Err(error), None) => return Err(error.into()),
     };
-    let picture = draw::run_png(&course, &watch.into_history(), &summary)?;
+    let picture = draw::run_png(course, &watch.into_history(), &summary)?;
     let report = Report::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));
     let json = report.json()?;
     if interrupted() {
         return Err(Failure::Interrupted);
     }
-    folder.write(&names, json.as_bytes(), &picture)?;
+    folder.write(&names, json.as_bytes(), &picture, &[])?;
     asked.say.result(&json, || report.text(&folder.says(&names)))
 }
 

@@ -5,6 +5,7 @@
 
 mod args;
 mod exit;
+mod explore;
 mod fly;
 mod output;
 mod plan;
@@ -20,7 +21,7 @@ use std::{
     process::ExitCode,
 };
 
-use uchain_sim::config::{ConfigError, Course, PRESETS, Preset, Scenario, Source, builtin, builtin_names};
+use uchain_sim::config::{ConfigError, Mission, PRESETS, Preset, Source, builtin, builtin_names, describe};
 
 use args::{Asked, Command};
 use exit::Failure;
@@ -56,8 +57,8 @@ fn obey(command: Command) -> Result<(), Failure> {
         Command::Show { preset: Some(name), .. } => print(Preset::find(&name)?.text),
         Command::Show { scenario, .. } => print(&Source::find(&scenario.unwrap_or_default())?.text),
         Command::Check { scenario, sets, quiet } => {
-            let course = Course::read(&Source::find(&scenario)?, &sets.set)?;
-            quiet.report(|| checked(&course))
+            let mission = Mission::read(&Source::find(&scenario)?, &sets.set)?;
+            quiet.report(|| checked(&mission))
         }
         Command::Explain { key } => teach::explain(key.as_deref()),
         Command::Schema => teach::schema(),
@@ -67,24 +68,33 @@ fn obey(command: Command) -> Result<(), Failure> {
 }
 
 /// What a scenario comes to, in one line.
-fn checked(course: &Course) -> String {
-    let uavs = course.spawns.len();
-    let preset = course.scenario.preset.as_ref().map(|name| format!(", preset {name}")).unwrap_or_default();
-    format!(
-        "ok: {}{preset}: {uavs} UAV{}, {} walls, {} s\n",
-        course.scenario.name,
-        if uavs == 1 { "" } else { "s" },
-        course.map.walls().len(),
-        course.scenario.duration_s,
-    )
+fn checked(mission: &Mission) -> String {
+    let (name, who, count, walls, duration_s) = match mission {
+        Mission::Chain(course) => {
+            let scenario = &course.scenario;
+            let preset = scenario.preset.as_ref().map(|name| format!(", preset {name}")).unwrap_or_default();
+            (
+                format!("{}{preset}", scenario.name),
+                "UAV",
+                course.spawns.len(),
+                &course.map,
+                scenario.duration_s,
+            )
+        }
+        Mission::Explore(site) => {
+            let scenario = &site.scenario;
+            (scenario.name.clone(), "robot", site.spawns.len(), &site.map, scenario.duration_s)
+        }
+    };
+    let (walls, s) = (walls.walls().len(), if count == 1 { "" } else { "s" });
+    format!("ok: {name}: {count} {who}{s}, {walls} walls, {duration_s} s\n")
 }
 
 /// Name and description of every scenario and preset that is compiled in.
 fn list() -> Result<String, ConfigError> {
     let mut entries = Vec::new();
     for source in builtin_names().iter().filter_map(|name| builtin(name)) {
-        let Scenario { name, description, .. } = Scenario::parse(&source, &[])?;
-        entries.push((name, description));
+        entries.push(describe(&source)?);
     }
     for preset in PRESETS {
         entries.push((format!("preset={}", preset.name), preset.description().to_owned()));

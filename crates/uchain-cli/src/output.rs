@@ -20,21 +20,31 @@ pub(crate) struct Names {
     pub(crate) picture: &'static str,
     /// The recording.
     pub(crate) recording: Option<&'static str>,
+    /// What there is besides.
+    pub(crate) others: &'static [&'static str],
 }
 
 impl Names {
     fn hold(&self, name: &str) -> bool {
-        name == self.numbers || name == self.picture || self.recording == Some(name)
+        name == self.numbers
+            || name == self.picture
+            || self.recording == Some(name)
+            || self.others.contains(&name)
     }
 }
 
-/// What `uchain run` leaves.
+/// What `uchain run` leaves of a chain.
 pub(crate) const RUN: Names =
-    Names { numbers: "summary.json", picture: "run.png", recording: Some("run.mcap") };
+    Names { numbers: "summary.json", picture: "run.png", recording: Some("run.mcap"), others: &[] };
+/// What `uchain run` leaves of an exploration: besides, the explored map as a ROS map.
+pub(crate) const EXPLORE: Names = Names { recording: None, others: &["map.pgm", "map.yaml"], ..RUN };
 /// What `uchain plan` leaves.
-pub(crate) const PLAN: Names = Names { numbers: "plan.json", picture: "plan.png", recording: None };
+pub(crate) const PLAN: Names =
+    Names { numbers: "plan.json", picture: "plan.png", recording: None, others: &[] };
 /// What `uchain inspect --out` leaves.
-pub(crate) const INSPECT: Names = Names { numbers: "inspect.json", picture: "run.png", recording: None };
+pub(crate) const INSPECT: Names = Names { numbers: "inspect.json", recording: None, ..RUN };
+
+const ALL: [&Names; 4] = [&RUN, &EXPLORE, &PLAN, &INSPECT];
 
 /// How names of files start that are not finished yet.
 const UNFINISHED: &str = ".uchain-";
@@ -63,8 +73,7 @@ impl Folder {
         for entry in entries {
             let name = entry.map_err(refuse)?.file_name();
             let name = name.to_string_lossy();
-            let is_ours =
-                [RUN, PLAN, INSPECT].iter().any(|names| names.hold(&name)) || name.starts_with(UNFINISHED);
+            let is_ours = ALL.iter().any(|names| names.hold(&name)) || name.starts_with(UNFINISHED);
             if !is_ours && !force {
                 return Err(Failure::Occupied { folder: path.to_owned(), found: name.into_owned() });
             }
@@ -87,7 +96,7 @@ impl Folder {
             path.persist(&file).map_err(|error| failed(error.error))?;
             Ok(started)
         })?;
-        for name in [RUN.numbers, RUN.picture] {
+        for name in [RUN.numbers, RUN.picture].iter().chain(EXPLORE.others) {
             // Mostly there is none.
             let _ = fs::remove_file(self.path.join(name));
         }
@@ -109,21 +118,28 @@ impl Folder {
 
     /// Where the files are, for people.
     pub(crate) fn says(&self, names: &Names) -> String {
-        let numbers = self.path.join(names.numbers);
-        match names.recording {
-            Some(recording) => format!("{}, {} and {recording}", numbers.display(), names.picture),
-            None => format!("{} and {}", numbers.display(), names.picture),
-        }
+        let numbers = self.path.join(names.numbers).display().to_string();
+        let others = names.recording.iter().chain(names.others).copied();
+        let mut files: Vec<&str> = [numbers.as_str(), names.picture].into_iter().chain(others).collect();
+        let last = files.pop().unwrap_or_default();
+        format!("{} and {last}", files.join(", "))
     }
 
-    /// Writes the picture and the numbers. Both are complete under other names before either shows
-    /// under its own.
-    pub(crate) fn write(&self, names: &Names, numbers: &[u8], picture: &[u8]) -> Result<(), Failure> {
+    /// Writes the picture, the other files and the numbers. All are complete under other names before any shows under
+    /// its own.
+    pub(crate) fn write(
+        &self,
+        names: &Names,
+        numbers: &[u8],
+        picture: &[u8],
+        others: &[&[u8]],
+    ) -> Result<(), Failure> {
+        let others = names.others.iter().copied().zip(others.iter().copied());
+        let files = [(names.picture, picture)].into_iter().chain(others).chain([(names.numbers, numbers)]);
         self.or_not_at_all(|| {
-            let picture = self.prepare(names.picture, picture)?;
-            let numbers = self.prepare(names.numbers, numbers)?;
-            self.show(names.picture, picture)?;
-            self.show(names.numbers, numbers)
+            let ready = files.map(|(name, bytes)| self.prepare(name, bytes).map(|file| (name, file)));
+            let ready: Vec<(&str, NamedTempFile)> = ready.collect::<Result<_, _>>()?;
+            ready.into_iter().try_for_each(|(name, file)| self.show(name, file))
         })
     }
 

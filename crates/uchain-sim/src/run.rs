@@ -1,9 +1,13 @@
 //! One run, whole: a function of (scenario, seed).
 
 use crate::{
-    analyse::{Digest, Metrics, Summary},
-    config::Course,
-    record::{RecordError, Recorder, TICKS_PER_S},
+    analyse::{
+        Digest, Metrics, Summary,
+        explore::{ExploreMetrics, ExploreSummary, Survey},
+    },
+    config::{Course, Site},
+    explore::Exploration,
+    record::{ExploreFrame, RecordError, Recorder, TICKS_PER_S},
     sim::Sim,
 };
 
@@ -13,6 +17,9 @@ pub enum RunError {
     /// The recorder asked for it.
     #[error(transparent)]
     Record(#[from] RecordError),
+    /// Parameters outside their ranges; a site that was read has none.
+    #[error("the site's parameters are out of range")]
+    Params,
 }
 
 /// Flies a mission from its first tick to its last and says what it came to. The recorder is shown every
@@ -38,6 +45,31 @@ pub fn run(course: &Course, seed: u64, recorder: &mut impl Recorder) -> Result<S
         sim.step(&mut ((&mut metrics, &mut digest), &mut *recorder))?;
     }
     Ok(metrics.summary(seed, digest.hex()))
+}
+
+/// Explores from the first tick until all are home, and says what it came to. The recorder is shown every frame and
+/// changes none.
+///
+/// # Errors
+/// Only what the recorder returns, for a site that was read.
+///
+/// ```
+/// use uchain_sim::{config::{Site, builtin}, run::explore};
+/// let site = Site::read(&builtin("apartment").unwrap(), &["duration_s=20".into()]).unwrap();
+/// let (once, again) = (explore(&site, 1, &mut ()).unwrap().0, explore(&site, 1, &mut ()).unwrap().0);
+/// assert_eq!(once, again);
+/// assert_ne!(once.digest, explore(&site, 2, &mut ()).unwrap().0.digest);
+/// ```
+pub fn explore(
+    site: &Site,
+    seed: u64,
+    recorder: &mut impl Recorder<ExploreFrame>,
+) -> Result<(ExploreSummary, Survey), RunError> {
+    let mut exploration = Exploration::new(site, seed).ok_or(RunError::Params)?;
+    let mut metrics = ExploreMetrics::new(site);
+    let mut digest = Digest::default();
+    while exploration.step(&mut ((&mut metrics, &mut digest), &mut *recorder))?.is_none() {}
+    Ok(metrics.finish(seed, digest.hex()))
 }
 
 /// Ticks of a run of this length.

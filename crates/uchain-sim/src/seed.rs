@@ -23,6 +23,10 @@ pub enum Source {
     BurstFront = 7,
     /// Random starts of tests and designs.
     Start = 5,
+    /// Choices of an explorer.
+    Choice = 8,
+    /// Noise of where a robot believes it is.
+    Position = 9,
 }
 
 /// Seed of one run.
@@ -48,6 +52,11 @@ impl Stream {
     /// Uniform in [0, 1), 24 bits.
     pub fn uniform(&mut self) -> f32 {
         (self.0.next_u32() >> 8) as f32 * (1.0 / 16_777_216.0)
+    }
+
+    /// 32 uniform bits.
+    pub fn bits(&mut self) -> u32 {
+        self.0.next_u32()
     }
 
     /// A standard normal number.

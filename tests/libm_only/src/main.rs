@@ -3,8 +3,8 @@
 use std::{env, error::Error, process::ExitCode};
 
 use uchain_sim::{
-    config::{Course, Source},
-    run::run,
+    config::{Mission, Source},
+    run::{explore, run},
 };
 
 fn main() -> ExitCode {
@@ -25,6 +25,9 @@ fn digest(args: &[String]) -> Result<String, Box<dyn Error>> {
     let [scenario, seed, sets @ ..] = args else {
         return Err("usage: digest SCENARIO SEED [KEY=VALUE]...".into());
     };
-    let course = Course::read(&Source::find(scenario)?, sets)?;
-    Ok(run(&course, seed.parse()?, &mut ())?.digest)
+    let seed = seed.parse()?;
+    Ok(match Mission::read(&Source::find(scenario)?, sets)? {
+        Mission::Chain(course) => run(&course, seed, &mut ())?.digest,
+        Mission::Explore(site) => explore(&site, seed, &mut ())?.0.digest,
+    })
 }

@@ -6,6 +6,7 @@ Examples:
   uchain list                                what is there to fly
   uchain run corner                          fly it; results in runs/corner-s1
   uchain run corner --seed 7 --set chain.uavs=5 --set radio.sigma_db=0
+  uchain run apartment --set explore.robots=4   robots explore rooms together
   uchain run corner --set preset=cavemod     with the values of the authors' firmware
   uchain inspect runs/corner-s1/run.mcap     look into a recording
   uchain verify runs/corner-s1/run.mcap      fly it again: still the same, bit for bit?
@@ -29,10 +30,12 @@ pub(super) const RUN: &str = "\
 Examples:
   uchain run corner
   uchain run corner --seed 7 --set takeoff.s_min_db=55 --set 'pilot.0.follow=left'
+  uchain run apartment --set explore.robots=4 --set explore.strategy=srg
   uchain run ./mine.toml --out results/a --json
 
 Writes run.mcap while it flies (open it in Foxglove or Rerun), then summary.json and run.png. A run that is
 stopped leaves run.mcap, readable up to there. Same scenario, same seed: same digest, bit for bit.
+Of an exploration there is map.yaml with map.pgm besides: what was seen, as a ROS map.
 ";
 
 pub(super) const PLAN: &str = "\

@@ -26,7 +26,7 @@ pub(crate) fn reckon(asked: &args::Plan) -> Result<(), Failure> {
     let table = Table::new(&plan, &steps);
     let picture = draw::plan_png(&plan, &table.answer())?;
     let json = serde_json::to_string_pretty(&plan)? + "\n";
-    folder.write(&output::PLAN, json.as_bytes(), &picture)?;
+    folder.write(&output::PLAN, json.as_bytes(), &picture, &[])?;
     spinner.finish_and_clear();
     asked.say.result(&json, || table.text(&folder.says(&output::PLAN)))
 }

@@ -57,7 +57,7 @@ pub(crate) fn inspect(asked: &Inspect) -> Result<(), Failure> {
     let mut files = asked.file.display().to_string();
     if let Some(folder) = folder {
         let picture = draw::run_png(&course, &watch.into_history(), &summary)?;
-        folder.write(&INSPECT, json.as_bytes(), &picture)?;
+        folder.write(&INSPECT, json.as_bytes(), &picture, &[])?;
         files = folder.says(&INSPECT);
     }
     let cut = if whole { "" } else { "; the file is cut short, and read up to its last whole chunk" };

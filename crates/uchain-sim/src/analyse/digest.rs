@@ -4,7 +4,7 @@ use std::hash::Hasher;
 
 use twox_hash::XxHash64;
 
-use crate::record::{Frame, RecordError, Recorder};
+use crate::record::{ExploreFrame, Frame, RecordError, Recorder};
 
 /// `XxHash64` over every field of every frame, in order.
 #[derive(Debug)]
@@ -52,6 +52,52 @@ impl Recorder for Digest {
             }
             self.number(frame.head_reach_m);
         }
+        self.hash.write(&self.bytes);
+        Ok(())
+    }
+}
+
+impl Recorder<ExploreFrame> for Digest {
+    fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
+        self.bytes.clear();
+        self.bytes.extend_from_slice(&frame.tick.to_le_bytes());
+        self.bytes.extend_from_slice(&frame.rounds.to_le_bytes());
+        for robot in &frame.robots {
+            for value in [robot.x_m, robot.y_m, robot.z_m, robot.heading_rad] {
+                self.number(value);
+            }
+            self.bytes.extend_from_slice(&robot.level.to_le_bytes());
+            self.bytes.extend_from_slice(&[
+                robot.purpose as u8,
+                robot.moves.into(),
+                robot.holds.into(),
+                robot.mfl.into(),
+            ]);
+            self.bytes.extend_from_slice(&robot.wall_contacts.to_le_bytes());
+            self.bytes.extend_from_slice(&robot.robot_contacts.to_le_bytes());
+            self.bytes.extend_from_slice(&robot.level_passes.to_le_bytes());
+        }
+        for node in &frame.nodes {
+            self.bytes.extend_from_slice(&node.id.robot.to_le_bytes());
+            for value in node.believed_m {
+                self.number(value);
+            }
+            for sector in &node.sectors {
+                self.bytes.extend_from_slice(&[sector.label as u8]);
+                self.number(sector.r_m);
+            }
+        }
+        for change in &frame.labels {
+            self.bytes.extend_from_slice(&change.node.robot.to_le_bytes());
+            self.bytes.extend_from_slice(&change.node.number.to_le_bytes());
+            self.bytes.extend_from_slice(&change.sector.to_le_bytes());
+        }
+        for end in frame.edges.iter().flatten() {
+            self.bytes.extend_from_slice(&end.robot.to_le_bytes());
+            self.bytes.extend_from_slice(&end.number.to_le_bytes());
+        }
+        self.bytes.extend_from_slice(&frame.hubs.to_le_bytes());
+        self.bytes.extend_from_slice(&[frame.stopped.map_or(u8::MAX, |stopped| stopped as u8)]);
         self.hash.write(&self.bytes);
         Ok(())
     }

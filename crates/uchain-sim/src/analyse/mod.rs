@@ -2,6 +2,7 @@
 
 mod compare;
 mod digest;
+pub mod explore;
 mod metrics;
 pub mod optimum;
 mod plan;

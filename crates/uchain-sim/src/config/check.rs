@@ -6,10 +6,10 @@ use super::{ConfigError, MapConfig, Scenario, document::Document, keys::join};
 use crate::record::TICKS_PER_S;
 
 /// Length of a tick (s). Every period is a multiple of it.
-const TICK_S: f64 = 1.0 / TICKS_PER_S;
+pub(super) const TICK_S: f64 = 1.0 / TICKS_PER_S;
 
 /// Longest run (s): a day.
-const DURATION_MAX_S: f64 = 86_400.0;
+pub(super) const DURATION_MAX_S: f64 = 86_400.0;
 
 /// Most UAVs in one chain.
 pub const UAVS_MAX: usize = 1000;
@@ -35,7 +35,7 @@ pub(super) fn values(scenario: &Scenario, document: &Document<'_>) -> Result<(),
     check.name(&scenario.name)?;
     check.ranged("", scenario.check())?;
     check.ticks("duration_s", scenario.duration_s)?;
-    check.map(scenario)?;
+    check.map(&scenario.map)?;
     check.chain(scenario)?;
     check.pilot(scenario)?;
     check.params(scenario)?;
@@ -45,12 +45,12 @@ pub(super) fn values(scenario: &Scenario, document: &Document<'_>) -> Result<(),
     check.ticks("tof.period_s", f64::from(scenario.tof.period_s))
 }
 
-struct Check<'d> {
-    document: &'d Document<'d>,
+pub(super) struct Check<'d> {
+    pub(super) document: &'d Document<'d>,
 }
 
 impl Check<'_> {
-    fn invalid(&self, key: &str, got: &dyn ToString, expected: impl Into<String>) -> ConfigError {
+    pub(super) fn invalid(&self, key: &str, got: &dyn ToString, expected: impl Into<String>) -> ConfigError {
         ConfigError::Invalid {
             at: self.document.origin(key),
             key: key.to_owned(),
@@ -59,7 +59,7 @@ impl Check<'_> {
         }
     }
 
-    fn range(&self, key: &str, got: f64, low: f64, high: f64) -> Result<(), ConfigError> {
+    pub(super) fn range(&self, key: &str, got: f64, low: f64, high: f64) -> Result<(), ConfigError> {
         if (low..=high).contains(&got) {
             return Ok(());
         }
@@ -67,14 +67,14 @@ impl Check<'_> {
     }
 
     /// The outcome of a table's own check, under the table's name.
-    fn ranged(&self, table: &str, checked: Result<(), OutOfRange>) -> Result<(), ConfigError> {
+    pub(super) fn ranged(&self, table: &str, checked: Result<(), OutOfRange>) -> Result<(), ConfigError> {
         checked.map_err(|OutOfRange { key, got, low, high }| {
             let key = join(table, key);
             self.invalid(&key, &got, format!("must lie in {low}..={high}"))
         })
     }
 
-    fn ticks(&self, key: &str, got_s: f64) -> Result<(), ConfigError> {
+    pub(super) fn ticks(&self, key: &str, got_s: f64) -> Result<(), ConfigError> {
         let ticks = got_s / TICK_S;
         if (ticks - ticks.round()).abs() <= 1e-4 && ticks > 0.5 {
             return Ok(());
@@ -82,7 +82,7 @@ impl Check<'_> {
         Err(self.invalid(key, &got_s, format!("must be a multiple of the tick, {TICK_S} s")))
     }
 
-    fn name(&self, name: &str) -> Result<(), ConfigError> {
+    pub(super) fn name(&self, name: &str) -> Result<(), ConfigError> {
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if (1..=NAME_LENGTH_MAX).contains(&name.len()) && name.chars().all(plain) {
             return Ok(());
@@ -93,8 +93,8 @@ impl Check<'_> {
         Err(self.invalid("name", &format!("{name:?}"), expected))
     }
 
-    fn map(&self, scenario: &Scenario) -> Result<(), ConfigError> {
-        match &scenario.map {
+    pub(super) fn map(&self, map: &MapConfig) -> Result<(), ConfigError> {
+        match map {
             MapConfig::Corridor(corridor) => {
                 self.ranged("map.corridor", corridor.check())?;
                 for (i, corner) in corridor.centre_line_m.iter().enumerate() {
@@ -109,6 +109,14 @@ impl Check<'_> {
                     }
                 }
                 Ok(())
+            }
+            MapConfig::Walls(walls) => {
+                let outer = walls.outer_m.iter().enumerate().map(|(i, at)| (format!("outer_m.{i}"), at));
+                let inner = walls.inner_m.iter().enumerate().flat_map(|(loop_, corners)| {
+                    let key = move |(i, at)| (format!("inner_m.{loop_}.{i}"), at);
+                    corners.iter().enumerate().map(key)
+                });
+                outer.chain(inner).try_for_each(|(key, &at)| self.point(&format!("map.walls.{key}"), at))
             }
             MapConfig::Ros(ros) => self.ranged("map.ros", ros.check()),
         }
@@ -129,7 +137,7 @@ impl Check<'_> {
         spawns.iter().enumerate().try_for_each(|(i, &at)| self.point(&format!("chain.spawns_m.{i}"), at))
     }
 
-    fn point(&self, key: &str, at: [f64; 2]) -> Result<(), ConfigError> {
+    pub(super) fn point(&self, key: &str, at: [f64; 2]) -> Result<(), ConfigError> {
         // An array takes as many as it holds and asks no further.
         if let Some(count) = self.document.count(key).filter(|&count| count != at.len()) {
             return Err(self.invalid(key, &format!("{count} numbers"), "expected two numbers [x, y]"));

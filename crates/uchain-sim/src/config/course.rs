@@ -4,10 +4,13 @@ use std::sync::OnceLock;
 
 use glam::Vec2;
 
-use super::{ConfigError, CorridorConfig, MapConfig, RosConfig, Scenario, Source, check, document::Document};
+use super::{
+    ConfigError, CorridorConfig, MapConfig, RosConfig, Scenario, Source, WallsConfig, check,
+    document::Document,
+};
 use crate::{
     analyse::optimum::Chart,
-    map::{CentreLine, Geodesic, Map, MapError, Tunnel, Vertex, corridor, read_ros},
+    map::{CentreLine, Geodesic, Map, MapError, Tunnel, Vertex, corridor, drawn, read_ros},
     radio::{Antenna, PathLoss},
     sense::GridRays,
 };
@@ -97,7 +100,10 @@ impl Course {
                 let built = built.map_err(|cause| refuse(document, "map.corridor", cause));
                 built.map(|(map, line)| (map, Some(line)))?
             }
-            (MapConfig::Ros(_), Some(map)) => (map, None),
+            (_, Some(map)) => (map, None),
+            (MapConfig::Walls(config), None) => {
+                (draw(config).map_err(|cause| refuse(document, "map.walls", cause))?, None)
+            }
             (MapConfig::Ros(config), None) => {
                 (read(config, source).map_err(|cause| refuse(document, "map.ros.file", cause))?, None)
             }
@@ -181,12 +187,15 @@ fn waiting_places(scenario: &Scenario) -> Vec<Place> {
 }
 
 /// For messages (m): a sum of binary fractions shows no digits that nobody wrote.
-fn to_a_micrometre(at_m: f64) -> f64 {
+pub(super) fn to_a_micrometre(at_m: f64) -> f64 {
     (at_m * 1e6).round() / 1e6
 }
 
 /// Builds a corridor around the base: there `f32` is finest, wherever the scenario's own frame has its origin.
-fn build(config: &CorridorConfig, [base_x_m, base_y_m]: [f64; 2]) -> Result<(Map, CentreLine), MapError> {
+pub(super) fn build(
+    config: &CorridorConfig,
+    [base_x_m, base_y_m]: [f64; 2],
+) -> Result<(Map, CentreLine), MapError> {
     let around = |x_m: f64, y_m: f64| {
         let corner = |numbers: &Vec<f64>| Vertex {
             x: numbers.first().copied().unwrap_or_default() - x_m,
@@ -203,11 +212,17 @@ fn build(config: &CorridorConfig, [base_x_m, base_y_m]: [f64; 2]) -> Result<(Map
     }
 }
 
-fn read(config: &RosConfig, source: &Source) -> Result<Map, MapError> {
+pub(super) fn draw(config: &WallsConfig) -> Result<Map, MapError> {
+    let loops: Vec<Vec<[f64; 2]>> =
+        std::iter::once(&config.outer_m).chain(&config.inner_m).cloned().collect();
+    drawn(&loops)
+}
+
+pub(super) fn read(config: &RosConfig, source: &Source) -> Result<Map, MapError> {
     read_ros(&source.folder.join(&config.file), config.unknown, config.simplify_m)
 }
 
-fn refuse(document: &Document<'_>, key: &str, cause: MapError) -> ConfigError {
+pub(super) fn refuse(document: &Document<'_>, key: &str, cause: MapError) -> ConfigError {
     ConfigError::Map { at: document.origin(key), key: key.to_owned(), cause: Box::new(cause) }
 }
 

@@ -175,6 +175,11 @@ impl<'i> Document<'i> {
         if let DeValue::Array(items) = value.get_ref() { Some(items.len()) } else { None }
     }
 
+    /// Whether a key is there.
+    pub(super) fn has(&self, path: &str) -> bool {
+        self.follow(path).1
+    }
+
     /// The deepest value on the way of a path, and whether the way was walked to its end.
     fn follow(&self, path: &str) -> (Option<&Spanned<DeValue<'i>>>, bool) {
         let mut here = &self.root;

@@ -2,20 +2,33 @@
 
 use uchain_core::{
     chain::{CenterParams, EqualizeParams, KalmanParams, LinkParams, TakeoffParams},
+    explore::ExploreParams,
     params::Key,
 };
 
-use super::{ChainConfig, CorridorConfig, PilotStep, RosConfig, Scenario, diagnose::Choices};
+use super::{
+    ChainConfig, CorridorConfig, PilotStep, RosConfig, Scenario, TeamConfig, WallsConfig, diagnose::Choices,
+};
 use crate::{
     radio::{Dead, Deaf, FaultConfig, PacketParams, PathLossParams},
     sense::{FlowParams, TofParams},
     world::MotionParams,
 };
 
-/// Every table with its keys; of a list of tables the first entry stands for all.
-pub(super) const TABLES: [(&str, &[Key]); 18] = [
+/// What the top of a scenario file may hold beside [`Scenario::KEYS`].
+pub(super) const EXPLORE: Key = Key {
+    name: "explore",
+    range: None,
+    doc: "Robots that explore together. A scenario with this table has neither `chain` nor `pilot`, nor any of the \
+          tables behind them.",
+};
+
+/// Every table with its keys, some in several parts; of a list of tables the first entry stands for all.
+pub(super) const TABLES: [(&str, &[Key]); 22] = [
     ("", Scenario::KEYS),
+    ("", &[EXPLORE]),
     ("map.corridor", CorridorConfig::KEYS),
+    ("map.walls", WallsConfig::KEYS),
     ("map.ros", RosConfig::KEYS),
     ("chain", ChainConfig::KEYS),
     ("pilot.0", PilotStep::KEYS),
@@ -32,6 +45,8 @@ pub(super) const TABLES: [(&str, &[Key]); 18] = [
     ("tof", TofParams::KEYS),
     ("flow", FlowParams::KEYS),
     ("motion", MotionParams::KEYS),
+    ("explore", TeamConfig::KEYS),
+    ("explore", ExploreParams::KEYS),
 ];
 
 /// `table.key`; a key of the whole stands alone.

@@ -8,6 +8,7 @@ use super::{
     diagnose::{Choices, Origin, shorten},
     document::Document,
     keys::{TABLES, called, join, nearly_called},
+    mission,
 };
 
 impl Scenario {
@@ -50,6 +51,7 @@ impl Scenario {
     }
 
     pub(super) fn from_document(document: &Document<'_>) -> Result<Self, ConfigError> {
+        mission::is_chain(document)?;
         let scenario = Self::deserialize(ValueDeserializer::from(document.root()))
             .map_err(|error| explain(&error, document))?;
         check::values(&scenario, document)?;
@@ -58,7 +60,7 @@ impl Scenario {
 }
 
 /// Puts the deserializer's words into ours.
-fn explain(error: &toml::de::Error, document: &Document<'_>) -> ConfigError {
+pub(super) fn explain(error: &toml::de::Error, document: &Document<'_>) -> ConfigError {
     let span = error.span().unwrap_or_default();
     let path = document.path_of(&span);
     let at = if path.is_empty() { document.whole() } else { document.place(&span) };
@@ -83,7 +85,8 @@ fn explain(error: &toml::de::Error, document: &Document<'_>) -> ConfigError {
             let choices = Choices { nearest: Some(join(table, name)), known: Vec::new() };
             return ConfigError::UnknownKey { at, key: join(&path, name), choices: Box::new(choices) };
         }
-        let expected = "expected one of the tables [map.corridor] and [map.ros], and only one".to_owned();
+        let expected =
+            "expected one of the tables [map.corridor], [map.walls] and [map.ros], and only one".to_owned();
         return ConfigError::Invalid { at, key: path, got: "{ … }".to_owned(), expected };
     }
     let (found, expected) = message.rsplit_once(", expected ").unwrap_or((message, "another value"));
@@ -131,7 +134,7 @@ fn unknown<'m>(message: &'m str, start: &str) -> Option<(&'m str, Vec<String>)> 
 fn plain_type(expected: &str) -> String {
     let words = match expected {
         "f32" | "f64" => "a number",
-        "u32" | "u64" | "usize" => "a whole number, not negative",
+        "u16" | "u32" | "u64" | "usize" => "a whole number, not negative",
         "a boolean" => "true or false",
         "a sequence" => "a list [ … ]",
         "an array of length 2" => "two numbers [x, y]",

@@ -8,6 +8,7 @@ mod document;
 pub mod help;
 mod keys;
 mod load;
+mod mission;
 mod scenario;
 mod source;
 #[cfg(test)]
@@ -16,5 +17,6 @@ mod tests;
 pub use check::UAVS_MAX;
 pub use course::{Course, Spawn};
 pub use diagnose::{Choices, ConfigError, Origin};
-pub use scenario::{ChainConfig, CorridorConfig, MapConfig, PilotStep, RosConfig, Scenario};
+pub use mission::{ExploreScenario, Mission, Site, TeamConfig, VehicleKind, describe};
+pub use scenario::{ChainConfig, CorridorConfig, MapConfig, PilotStep, RosConfig, Scenario, WallsConfig};
 pub use source::{PRESETS, Preset, Source, TEXT_MAX_BYTES, builtin, builtin_names};

@@ -26,7 +26,7 @@ uchain_core::params! {
         pub preset: Option<String>;
         /// Simulated time (s); a multiple of the tick, 0.05 s.
         pub duration_s: f64, in 0.05..=86_400.0;
-        /// The tunnel: one of `[map.corridor]` and `[map.ros]`.
+        /// The tunnel: one of `[map.corridor]`, `[map.walls]` and `[map.ros]`.
         pub map: MapConfig;
         /// Who flies and where they wait.
         pub chain: ChainConfig;
@@ -68,13 +68,15 @@ uchain_core::params! {
     }
 }
 
-/// Where the tunnel comes from: one of `[map.corridor]` and `[map.ros]`.
+/// Where the map comes from: one of `[map.corridor]`, `[map.walls]` and `[map.ros]`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum MapConfig {
     /// A corridor of one width along a centre line.
     Corridor(CorridorConfig),
+    /// Walls drawn one by one.
+    Walls(WallsConfig),
     /// A ROS `map_server` map.
     Ros(RosConfig),
 }
@@ -92,6 +94,21 @@ uchain_core::params! {
         /// Whether the last corner joins the first again.
         #[serde(default)]
         pub closed: bool;
+    }
+}
+
+uchain_core::params! {
+    /// Walls drawn one by one, as closed loops of corners `[x, y]` (m). Loops neither cross nor touch.
+    #[derive(Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct WallsConfig {
+        /// Corners of what surrounds the free space (m).
+        #[schemars(schema_with = "super::help::shape::points")]
+        pub outer_m: Vec<[f64; 2]>;
+        /// Corners of the solid pieces that stand in it (m).
+        #[serde(default)]
+        #[schemars(schema_with = "super::help::shape::loops")]
+        pub inner_m: Vec<Vec<[f64; 2]>>;
     }
 }
 

@@ -11,12 +11,14 @@ use super::{ConfigError, diagnose::Choices};
 pub const TEXT_MAX_BYTES: u64 = 1 << 20;
 
 /// The compiled-in scenarios; the one list of them.
-const BUILTIN: [(&str, &str); 8] = [
+const BUILTIN: [(&str, &str); 10] = [
+    ("apartment", include_str!("../../scenarios/apartment.toml")),
     ("bend", include_str!("../../scenarios/bend.toml")),
     ("circuit", include_str!("../../scenarios/circuit.toml")),
     ("circuit-cavemod", include_str!("../../scenarios/circuit-cavemod.toml")),
     ("circuit-frontiers2021", include_str!("../../scenarios/circuit-frontiers2021.toml")),
     ("corner", include_str!("../../scenarios/corner.toml")),
+    ("corridors", include_str!("../../scenarios/corridors.toml")),
     ("staircase", include_str!("../../scenarios/staircase.toml")),
     ("stata", include_str!("../../scenarios/stata.toml")),
     ("straight", include_str!("../../scenarios/straight.toml")),

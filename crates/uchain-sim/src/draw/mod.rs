@@ -1,6 +1,8 @@
 //! Pictures. kuva lives here only.
 
 mod colour;
+mod explore;
+mod ground;
 mod losses;
 mod panel;
 mod plan;
@@ -13,6 +15,7 @@ use crate::{
     config::Course,
     record::History,
 };
+pub use explore::explore_png;
 use losses::Losses;
 use panel::{FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE};
 use tunnel::Tunnel;

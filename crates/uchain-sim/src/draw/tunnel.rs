@@ -1,20 +1,17 @@
 //! The map with the UAVs' tracks, at equal aspect.
 
 use glam::DVec2;
-use kuva::render::{
-    color::Color,
-    render::{PathData, Primitive, Scene},
-};
+use kuva::render::render::{Primitive, Scene};
 
 use super::{
-    colour::{self, FREE, INK, ROCK, WALL},
+    colour::{self, FREE, INK},
+    ground,
     losses::thinned,
     panel::{BOX_WIDTH, Panel, dot, legend, rule, unclip},
 };
 use crate::{
     analyse::Summary,
     config::Course,
-    map::Segment,
     record::{Frame, History, UavFrame},
 };
 
@@ -75,7 +72,7 @@ impl<'a> Tunnel<'a> {
 
     pub(super) fn draw(&self, scene: &mut Scene, panel: &Panel) {
         panel.clip(scene);
-        self.ground(scene, panel);
+        ground::paint(scene, panel, &self.course.map);
         for i in (0..self.flown).rev() {
             panel.line(scene, self.track(i), &colour::of_uav(i, self.flown), 1.4);
         }
@@ -85,55 +82,6 @@ impl<'a> Tunnel<'a> {
         unclip(scene);
         panel.axes(scene, "x (m)", "y (m)");
         self.legend(scene, panel);
-    }
-
-    /// Rock, free space and walls. Loops are painted from the largest to the smallest.
-    fn ground(&self, scene: &mut Scene, panel: &Panel) {
-        scene.add(Primitive::Rect {
-            x: panel.left(),
-            y: panel.top(),
-            width: panel.right() - panel.left(),
-            height: panel.bottom() - panel.top(),
-            fill: ROCK,
-            stroke: None,
-            stroke_width: None,
-            opacity: None,
-        });
-        let mut loops: Vec<(f64, &[Segment])> =
-            self.course.map.loops().map(|walls| (doubled_area_m2(walls), walls)).collect();
-        loops.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
-        for (doubled_area_m2, walls) in loops {
-            let fill = if self.is_free_inside(doubled_area_m2, walls) { FREE } else { ROCK };
-            scene.add(self.outline(panel, walls, fill));
-        }
-    }
-
-    /// What lies on the inner side of a loop, told from a point next to its longest wall.
-    fn is_free_inside(&self, doubled_area_m2: f64, walls: &[Segment]) -> bool {
-        let length = |wall: &&Segment| wall.a.distance_squared(wall.b);
-        let Some(wall) = walls.iter().max_by(|a, b| length(a).total_cmp(&length(b))) else { return false };
-        let to_left = (wall.b - wall.a).perp().normalize_or_zero() * 0.002;
-        let inward = if doubled_area_m2 > 0.0 { to_left } else { -to_left };
-        !self.course.map.in_rock(wall.a.midpoint(wall.b) + inward)
-    }
-
-    fn outline(&self, panel: &Panel, walls: &[Segment], fill: Color) -> Primitive {
-        use std::fmt::Write as _;
-        let mut d = String::with_capacity(16 * walls.len());
-        for (i, wall) in walls.iter().enumerate() {
-            let (x, y) = self.on_page(panel, wall.a.as_dvec2());
-            // Writing to a String cannot fail.
-            let _ = write!(d, "{}{x:.2} {y:.2} ", if i == 0 { 'M' } else { 'L' });
-        }
-        d.push('Z');
-        Primitive::Path(Box::new(PathData {
-            d,
-            fill: Some(fill),
-            stroke: WALL,
-            stroke_width: 1.0,
-            opacity: None,
-            stroke_dasharray: None,
-        }))
     }
 
     /// Where a UAV flew; `None` while it was on the ground.
@@ -199,9 +147,4 @@ fn square(scene: &mut Scene, (x, y): (f64, f64)) {
         stroke_width: None,
         opacity: None,
     });
-}
-
-/// Positive when the loop runs counter-clockwise.
-fn doubled_area_m2(walls: &[Segment]) -> f64 {
-    walls.iter().map(|wall| wall.a.as_dvec2().perp_dot(wall.b.as_dvec2())).sum()
 }

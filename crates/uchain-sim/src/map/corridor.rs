@@ -4,7 +4,7 @@ use glam::{DVec2, Vec2};
 
 use super::{
     CentreLine, FARTHEST_M, MOST_WALLS, Map, MapError,
-    centre_line::{Shape, unit},
+    tunnel::centre_line::{Shape, unit},
 };
 
 /// Most corners of a centre line.

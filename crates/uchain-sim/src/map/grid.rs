@@ -152,7 +152,6 @@ impl Grid {
     }
 
     /// Visits the walls of every cell that the box from `low` to `high` touches, some of them more than once.
-    #[cfg(feature = "maps")]
     pub(super) fn within(&self, low: DVec2, high: DVec2, mut visit: impl FnMut(u32)) {
         let (low, high) = ((low - self.origin) / self.cell_m, (high - self.origin) / self.cell_m);
         let (Some(cols), Some(rows)) = (clip(low.x, high.x, self.cols), clip(low.y, high.y, self.rows))

@@ -4,11 +4,11 @@
 //! themselves belong to free space. Coordinates are metres in the map frame, x to the right, y up.
 //!
 //! The parts: [`Map`] answers what is rock and what sees what; [`corridor`] builds a tunnel from a centre line;
-//! [`read_ros`] reads a `map_server` map; [`Map::centre_path`] finds the middle of a tunnel nobody drew;
+//! [`drawn`] takes wall loops as they are; [`read_ros`] reads a `map_server` map; [`Map::centre_path`] finds the middle of a tunnel nobody drew;
 //! [`Geodesic`] measures the way through free space, [`Tunnel`] the depth along the middle.
 
-mod centre_line;
 mod corridor;
+mod drawn;
 mod error;
 mod geodesic;
 mod geometry;
@@ -27,14 +27,14 @@ use glam::{DVec2, Vec2};
 use rapier2d::prelude::SharedShape;
 use serde::{Deserialize, Serialize};
 
-pub use centre_line::CentreLine;
 pub use corridor::{Vertex, corridor};
+pub use drawn::drawn;
 pub use error::MapError;
 pub use geodesic::{Geodesic, MOST_CORNERS, Trail};
 pub use geometry::Segment;
 #[cfg(feature = "maps")]
 pub use ros::read_ros;
-pub use tunnel::Tunnel;
+pub use tunnel::{CentreLine, Tunnel};
 pub use ways::Ways;
 
 use geometry::{distance_squared, touch};
@@ -196,6 +196,14 @@ impl Map {
             }
         }
         best.sqrt() as f32
+    }
+
+    /// Visits every wall that comes within `reach_m` of a place, a few that do not, and some more than once.
+    pub(crate) fn each_wall_near(&self, at: Vec2, reach_m: f64, mut visit: impl FnMut(&Segment)) {
+        let (at, reach) = (at.as_dvec2(), DVec2::splat(reach_m));
+        if at.is_finite() {
+            self.grid.within(at - reach, at + reach, |wall| visit(&self.walls[wall as usize]));
+        }
     }
 
     /// A place where two walls cross or touch other than end to end along their loop (m), if there is one. Exact.

@@ -1,11 +1,14 @@
 //! What one instant of a run leaves behind, and who may listen.
 
+mod explore;
 #[cfg(feature = "record")]
 pub mod mcap;
 mod moment;
 
 use uchain_core::chain::Tof;
 
+pub(crate) use explore::whole_ticks;
+pub use explore::{ExploreFrame, LabelFrame, NodeFrame, RobotFrame, Stopped};
 pub use moment::Moment;
 pub(crate) use moment::spread_db;
 
@@ -79,13 +82,13 @@ impl Frame {
     }
 }
 
-/// Someone who is shown every frame, in order. It can stop the run, it cannot change it.
-pub trait Recorder {
+/// Someone who is shown every frame of a mission, in order: those of a chain, or [`ExploreFrame`]s. It can stop the run, it cannot change it.
+pub trait Recorder<F = Frame> {
     /// One frame.
     ///
     /// # Errors
     /// [`RecordError`] ends the run.
-    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError>;
+    fn frame(&mut self, frame: &F) -> Result<(), RecordError>;
 }
 
 /// Why a recorder ended a run.
@@ -103,29 +106,29 @@ pub enum RecordError {
 }
 
 /// Nobody listens.
-impl Recorder for () {
-    fn frame(&mut self, _: &Frame) -> Result<(), RecordError> {
+impl<F> Recorder<F> for () {
+    fn frame(&mut self, _: &F) -> Result<(), RecordError> {
         Ok(())
     }
 }
 
 /// Perhaps somebody listens.
-impl<R: Recorder> Recorder for Option<R> {
-    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+impl<F, R: Recorder<F>> Recorder<F> for Option<R> {
+    fn frame(&mut self, frame: &F) -> Result<(), RecordError> {
         self.as_mut().map_or(Ok(()), |recorder| recorder.frame(frame))
     }
 }
 
 /// Both listen, the first one first.
-impl<A: Recorder, B: Recorder> Recorder for (A, B) {
-    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+impl<F, A: Recorder<F>, B: Recorder<F>> Recorder<F> for (A, B) {
+    fn frame(&mut self, frame: &F) -> Result<(), RecordError> {
         self.0.frame(frame)?;
         self.1.frame(frame)
     }
 }
 
-impl<R: Recorder + ?Sized> Recorder for &mut R {
-    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+impl<F, R: Recorder<F> + ?Sized> Recorder<F> for &mut R {
+    fn frame(&mut self, frame: &F) -> Result<(), RecordError> {
         (**self).frame(frame)
     }
 }

@@ -2,8 +2,10 @@
 
 mod flow;
 mod rays;
+mod scan;
 mod tof;
 
 pub use flow::{FlowNoise, FlowParams};
 pub use rays::{GridRays, ParryRays, Rays};
+pub use scan::Scanner;
 pub use tof::{TofBeams, TofNoise, TofParams, read_tof};

@@ -2,6 +2,7 @@
 
 mod contact;
 mod crowd;
+mod fleet;
 mod gate;
 mod motion;
 
@@ -11,6 +12,7 @@ use uchain_core::chain::Command;
 use crate::{map::Map, record::TICK_S};
 use contact::Contacts;
 use crowd::Crowd;
+pub use fleet::{Fleet, PointMass, Touches, Vehicle, Waypoint};
 use gate::{Gate, GateMode};
 pub use motion::{Body, MotionParams};
 

@@ -1,9 +1,11 @@
 //! What a scenario file may hold, as JSON Schema: for editors, and for [`explain`](super::explain).
 
-use schemars::generate::SchemaSettings;
+use schemars::{JsonSchema, generate::SchemaSettings};
 use serde_json::{Map, Number, Value, json};
 
-use super::super::Scenario;
+use uchain_core::explore::ExploreParams;
+
+use super::super::{Scenario, TeamConfig, keys::EXPLORE, mission::CHAIN_ONLY};
 
 /// JSON Schema (draft 7) of a scenario file. Names, types, ranges, defaults and descriptions are those of the laws'
 /// own declarations. What a schema cannot say is left to [`Course::read`](crate::config::Course::read): multiples of
@@ -15,10 +17,31 @@ use super::super::Scenario;
 /// ```
 pub fn schema() -> Value {
     // Written out in full: editors show what stands at a key, not what it refers to.
-    let settings = SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true);
-    let mut schema = settings.into_generator().into_root_schema_for::<Scenario>().to_value();
+    let mut schema = of::<Scenario>();
+    let keys = [of::<TeamConfig>(), of::<ExploreParams>()].map(|mut table| table["properties"].take());
+    let keys: Map<String, Value> =
+        keys.into_iter().filter_map(|keys| keys.as_object().cloned()).flatten().collect();
+    schema["properties"][EXPLORE.name] = json!({
+        "description": EXPLORE.doc, "type": "object", "properties": keys, "additionalProperties": false,
+    });
+    // Which tables there have to be depends on what the scenario is about.
+    let chain_only: Map<String, Value> =
+        CHAIN_ONLY.iter().map(|key| ((*key).to_owned(), false.into())).collect();
+    schema["if"] = json!({ "required": [EXPLORE.name] });
+    schema["then"] = json!({ "properties": chain_only });
+    if let Some(required) = schema["required"].as_array_mut() {
+        let (chain, both) =
+            required.iter().cloned().partition::<Vec<_>, _>(|key| CHAIN_ONLY.iter().any(|c| key == c));
+        *required = both;
+        schema["else"] = json!({ "required": chain });
+    }
     tidy(&mut schema);
     schema
+}
+
+fn of<T: JsonSchema>() -> Value {
+    let settings = SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true);
+    settings.into_generator().into_root_schema_for::<T>().to_value()
 }
 
 /// Leaves what a TOML file and its editor can use: TOML has no null, a number no width, a table no default of its own;

@@ -35,6 +35,11 @@ pub(in super::super) fn points(generator: &mut SchemaGenerator) -> Schema {
     json_schema!({ "type": "array", "items": point(generator) })
 }
 
+/// A list of loops, each a list of [`point`]s.
+pub(in super::super) fn loops(generator: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "array", "items": points(generator) })
+}
+
 /// `[x, y]` or `[x, y, r]`, several of them.
 pub(in super::super) fn corners(_: &mut SchemaGenerator) -> Schema {
     let place = json!({ "type": "number", "minimum": -COORDINATE_MAX_M, "maximum": COORDINATE_MAX_M });

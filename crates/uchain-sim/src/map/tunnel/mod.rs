@@ -1,5 +1,6 @@
 //! Depth: how far along the middle of the tunnel a place lies from the base.
 
+pub(super) mod centre_line;
 mod path;
 mod settle;
 #[cfg(test)]
@@ -7,7 +8,7 @@ mod tests;
 
 use glam::Vec2;
 
-use super::CentreLine;
+pub use centre_line::CentreLine;
 
 /// A centre line seen from the base. Depth 0 is the base, depth grows in the direction the chain goes, up to
 /// [`Tunnel::length_m`].

@@ -22,7 +22,7 @@ struct Piece {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Shape {
+pub(in crate::map) enum Shape {
     Straight {
         from: DVec2,
         /// Unit vector.
@@ -39,11 +39,11 @@ pub(super) enum Shape {
 }
 
 impl CentreLine {
-    pub(super) fn new(closed: bool) -> Self {
+    pub(in crate::map) fn new(closed: bool) -> Self {
         Self { pieces: Vec::new(), length_m: 0.0, closed }
     }
 
-    pub(super) fn push(&mut self, shape: Shape, length_m: f64) {
+    pub(in crate::map) fn push(&mut self, shape: Shape, length_m: f64) {
         if length_m > 0.0 {
             self.pieces.push(Piece { start_m: self.length_m, length_m, shape });
             self.length_m += length_m;
@@ -51,7 +51,7 @@ impl CentreLine {
     }
 
     /// Straights from point to point; equal points in a row count once.
-    pub(super) fn through(points: &[DVec2]) -> Self {
+    pub(in crate::map) fn through(points: &[DVec2]) -> Self {
         let mut line = Self::new(false);
         for (&from, &to) in points.iter().zip(points.iter().skip(1)) {
             if let Some(direction) = (to - from).try_normalize() {
@@ -67,7 +67,7 @@ impl CentreLine {
     }
 
     /// [`Self::length_m`] without rounding.
-    pub(super) fn length_f64_m(&self) -> f64 {
+    pub(in crate::map) fn length_f64_m(&self) -> f64 {
         self.length_m
     }
 
@@ -84,7 +84,7 @@ impl CentreLine {
     }
 
     /// [`Self::at`] without rounding.
-    pub(super) fn at_f64(&self, abscissa_m: f64) -> (DVec2, f64) {
+    pub(in crate::map) fn at_f64(&self, abscissa_m: f64) -> (DVec2, f64) {
         let along_m = if self.closed {
             abscissa_m.rem_euclid(self.length_m)
         } else {
@@ -111,7 +111,7 @@ impl CentreLine {
     }
 
     /// [`Self::project`] without rounding.
-    pub(super) fn project_f64(&self, p: DVec2) -> f64 {
+    pub(in crate::map) fn project_f64(&self, p: DVec2) -> f64 {
         let mut best = (f64::INFINITY, 0.0);
         for piece in &self.pieces {
             let (distance_m, within_m) = piece.nearest(p);
@@ -146,7 +146,7 @@ impl Piece {
     }
 }
 
-pub(super) fn unit(angle_rad: f64) -> DVec2 {
+pub(in crate::map) fn unit(angle_rad: f64) -> DVec2 {
     DVec2::new(libm::cos(angle_rad), libm::sin(angle_rad))
 }
 

@@ -1,0 +1,181 @@
+//! The summary of an exploration, from its frames.
+
+use glam::{DVec3, Vec2};
+
+use super::{Coverage, ExploreSummary};
+use crate::{
+    config::Site,
+    record::{ExploreFrame, RecordError, Recorder, RobotFrame, Stopped, TICKS_PER_S},
+};
+
+/// Watches an exploration and sums it up. Memory: one entry per cell of the ground, and one per round with new nodes.
+#[derive(Debug)]
+pub struct ExploreMetrics<'a> {
+    site: &'a Site,
+    coverage: Coverage,
+    /// Times (s) and coverage (1), from each round with new nodes on.
+    curve: Vec<(f64, f64)>,
+    robots: Vec<Tally>,
+    nodes: Vec<u32>,
+    edges: u32,
+    hubs: u32,
+    rounds: u32,
+    mfl_ticks: u64,
+    time_s: f64,
+    stopped: Stopped,
+}
+
+/// What one robot has flown.
+#[derive(Debug, Clone, Copy)]
+struct Tally {
+    at: DVec3,
+    moves: u32,
+    holds: u32,
+    distance_m: f64,
+    distance_3d_m: f64,
+    wall_contacts: u32,
+    robot_contacts: u32,
+    level_passes: u32,
+}
+
+/// What was seen, and when.
+#[derive(Debug, Clone)]
+pub struct Survey {
+    /// Times (s) and the share of the reachable ground seen by then (1), in order.
+    pub curve: Vec<(f64, f64)>,
+    /// Which cells of the ground have been seen.
+    pub coverage: Coverage,
+}
+
+fn place(robot: &RobotFrame) -> DVec3 {
+    DVec3::new(robot.x_m.into(), robot.y_m.into(), robot.z_m.into())
+}
+
+impl<'a> ExploreMetrics<'a> {
+    /// For a run on this site.
+    pub fn new(site: &'a Site) -> Self {
+        Self {
+            site,
+            coverage: Coverage::new(site.ground(), site.scenario.params.r_s_m),
+            curve: Vec::new(),
+            robots: Vec::new(),
+            nodes: vec![0; usize::from(site.scenario.team.robots)],
+            edges: 0,
+            hubs: 0,
+            rounds: 0,
+            mfl_ticks: 0,
+            time_s: 0.0,
+            stopped: Stopped::Time,
+        }
+    }
+
+    /// What it came to, and what was seen.
+    pub fn finish(self, seed: u64, digest: String) -> (ExploreSummary, Survey) {
+        let ground = self.site.ground();
+        let mut unseen = self.coverage.unseen(&self.site.map, ground);
+        let unseen_m2 = unseen.iter().map(|piece| piece.area_m2).sum();
+        unseen.truncate(ExploreSummary::UNSEEN_MAX);
+        let distance_m: Vec<f64> = self.robots.iter().map(|robot| robot.distance_m).collect();
+        let longest_m = distance_m.iter().copied().fold(0.0, f64::max);
+        let shortest_m = distance_m.iter().copied().fold(f64::INFINITY, f64::min);
+        let coverage = self.coverage.share(ground);
+        let when = |share: f64| {
+            let reached = self.curve.iter().find(|(_, seen)| *seen >= share * coverage);
+            reached.map_or(self.time_s, |(time_s, _)| *time_s)
+        };
+        let scenario = &self.site.scenario;
+        let summary = ExploreSummary {
+            scenario: scenario.name.clone(),
+            seed,
+            strategy: scenario.params.strategy,
+            robots: scenario.team.robots,
+            stopped: self.stopped,
+            outcome: self.stopped.words().to_owned(),
+            sim_s: self.time_s,
+            iterations: self.rounds,
+            moves: self.robots.iter().map(|robot| robot.moves).collect(),
+            holds: self.robots.iter().map(|robot| robot.holds).collect(),
+            balance: if longest_m > 0.0 { shortest_m / longest_m } else { 1.0 },
+            distance_m,
+            distance_3d_m: self.robots.iter().map(|robot| robot.distance_3d_m).collect(),
+            mfl_s: self.mfl_ticks as f64 / TICKS_PER_S,
+            coverage,
+            coverage_t50_s: when(0.5),
+            coverage_t90_s: when(0.9),
+            coverage_t100_s: when(1.0),
+            overlap: self.coverage.overlap(),
+            nodes: self.nodes,
+            edges: self.edges,
+            hubs_left: self.hubs,
+            unseen_m2,
+            unseen,
+            wall_contacts: self.robots.iter().map(|robot| robot.wall_contacts).sum(),
+            robot_contacts: self.robots.iter().map(|robot| robot.robot_contacts).sum::<u32>() / 2,
+            level_passes: self.robots.iter().map(|robot| robot.level_passes).sum::<u32>() / 2,
+            digest,
+        };
+        (summary, Survey { curve: self.curve, coverage: self.coverage })
+    }
+
+    fn decision(&mut self, frame: &ExploreFrame) {
+        for node in &frame.nodes {
+            self.coverage.look(&self.site.map, self.site.ground(), node);
+            if let Some(count) = self.nodes.get_mut(usize::from(node.id.robot)) {
+                *count += 1;
+            }
+        }
+        if !frame.nodes.is_empty() {
+            self.curve.push((frame.decided_s(), self.coverage.share(self.site.ground())));
+        }
+        self.edges += frame.edges.len() as u32;
+        self.hubs = frame.hubs;
+        for (tally, robot) in self.robots.iter_mut().zip(&frame.robots) {
+            tally.moves += u32::from(robot.moves);
+            tally.holds += u32::from(robot.holds);
+        }
+    }
+}
+
+impl Recorder<ExploreFrame> for ExploreMetrics<'_> {
+    fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
+        let at_rest = |robot: &RobotFrame| Tally {
+            at: place(robot),
+            moves: 0,
+            holds: 0,
+            distance_m: 0.0,
+            distance_3d_m: 0.0,
+            wall_contacts: 0,
+            robot_contacts: 0,
+            level_passes: 0,
+        };
+        if self.robots.is_empty() {
+            self.robots = frame.robots.iter().map(at_rest).collect();
+            for (tally, node) in self.robots.iter_mut().zip(&frame.nodes) {
+                tally.at = Vec2::from(node.at_m).as_dvec2().extend(tally.at.z);
+            }
+        }
+        if frame.decision {
+            self.decision(frame);
+        }
+        for (tally, robot) in self.robots.iter_mut().zip(&frame.robots) {
+            let flown = place(robot) - tally.at;
+            tally.distance_m += flown.truncate().length();
+            tally.distance_3d_m += flown.length();
+            tally.at = place(robot);
+            (tally.wall_contacts, tally.robot_contacts) = (robot.wall_contacts, robot.robot_contacts);
+            tally.level_passes = robot.level_passes;
+        }
+        self.rounds = frame.rounds;
+        self.mfl_ticks += u64::from(frame.robots.iter().any(|robot| robot.mfl));
+        // The last tick of an exploration that is over belongs to nobody.
+        self.time_s = if frame.stopped.is_some_and(|why| why != Stopped::Time) {
+            frame.decided_s()
+        } else {
+            frame.time_s()
+        };
+        if let Some(stopped) = frame.stopped {
+            self.stopped = stopped;
+        }
+        Ok(())
+    }
+}

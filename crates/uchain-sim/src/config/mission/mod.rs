@@ -1,0 +1,74 @@
+//! What a scenario is about: a chain in a tunnel, or an exploration.
+
+mod explore;
+mod site;
+#[cfg(test)]
+mod tests;
+
+pub(super) use explore::CHAIN_ONLY;
+pub use explore::{ExploreScenario, TeamConfig, VehicleKind};
+pub use site::Site;
+
+use super::{ConfigError, Course, Scenario, Source, document::Document};
+
+/// A scenario of either kind, laid out and checked.
+#[derive(Debug, Clone)]
+pub enum Mission {
+    /// A chain: the scenario has a table `[chain]`.
+    Chain(Box<Course>),
+    /// An exploration: it has a table `[explore]`.
+    Explore(Box<Site>),
+}
+
+impl Mission {
+    /// Reads, checks and lays out a scenario of either kind.
+    ///
+    /// ```
+    /// use uchain_sim::config::{Mission, builtin};
+    /// let read = |name| Mission::read(&builtin(name).unwrap(), &[]).unwrap();
+    /// assert!(matches!(read("corner"), Mission::Chain(_)));
+    /// assert!(matches!(read("apartment"), Mission::Explore(_)));
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`Course::read`] and [`Site::read`].
+    pub fn read(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
+        if is_exploration(&Document::parse(source, sets)?) {
+            Site::read(source, sets).map(|site| Self::Explore(Box::new(site)))
+        } else {
+            Course::read(source, sets).map(|course| Self::Chain(Box::new(course)))
+        }
+    }
+}
+
+/// Name and description of a scenario of either kind, its values checked one by one.
+///
+/// # Errors
+/// Those of [`Scenario::parse`] and [`ExploreScenario::parse`].
+pub fn describe(source: &Source) -> Result<(String, String), ConfigError> {
+    if is_exploration(&Document::parse(source, &[])?) {
+        return ExploreScenario::parse(source, &[]).map(|scenario| (scenario.name, scenario.description));
+    }
+    Scenario::parse(source, &[]).map(|scenario| (scenario.name, scenario.description))
+}
+
+/// Whether a scenario has the table of an exploration.
+fn is_exploration(document: &Document<'_>) -> bool {
+    document.has("explore")
+}
+
+/// An error for what is no chain at all, where one is asked for.
+pub(super) fn is_chain(document: &Document<'_>) -> Result<(), ConfigError> {
+    if !is_exploration(document) {
+        return Ok(());
+    }
+    if document.has("chain") {
+        return Err(explore::belongs_to_a_chain(document, "chain"));
+    }
+    Err(ConfigError::Invalid {
+        at: document.origin("explore"),
+        key: "explore".to_owned(),
+        got: "{ … }".to_owned(),
+        expected: "this is an exploration; expected a chain, with [chain] and [[pilot]]".to_owned(),
+    })
+}

@@ -1,0 +1,111 @@
+//! An exploration laid out in its map: everything a run needs, shared by many runs.
+
+use std::sync::OnceLock;
+
+use glam::Vec2;
+
+use super::ExploreScenario;
+use crate::{
+    analyse::explore::Ground,
+    config::{
+        ConfigError, MapConfig, Source,
+        course::{build, draw, read, refuse, to_a_micrometre},
+        document::Document,
+    },
+    map::Map,
+};
+
+/// An exploration laid out in its map. Everything in it has been checked; nothing changes any more.
+#[derive(Debug, Clone)]
+pub struct Site {
+    /// What was asked for.
+    pub scenario: ExploreScenario,
+    /// The place.
+    pub map: Map,
+    /// Where the robots start, in order, before the seed moves them (m).
+    pub spawns: Vec<Vec2>,
+    /// Surveyed by the first [`Site::ground`], shared by all runs.
+    ground: OnceLock<Ground>,
+}
+
+impl Site {
+    /// Reads, checks and lays out an exploration.
+    ///
+    /// ```
+    /// use uchain_sim::config::{Site, builtin};
+    /// let site = Site::read(&builtin("apartment").unwrap(), &["explore.robots=2".to_owned()]).unwrap();
+    /// assert_eq!(site.spawns.len(), 2);
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`ExploreScenario::parse`]; a map that cannot be read or built; a robot in rock, nearer to a wall
+    /// than it may come, or nearer to another one than they may come, wherever the seed puts them.
+    pub fn read(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
+        let document = Document::parse(source, sets)?;
+        let scenario = ExploreScenario::from_document(&document)?;
+        Self::lay(scenario, source, &document)
+    }
+
+    fn lay(scenario: ExploreScenario, source: &Source, document: &Document<'_>) -> Result<Self, ConfigError> {
+        let refuse = |key: &'static str| move |cause| refuse(document, key, cause);
+        let around = scenario.team.spawns_m.first().copied().unwrap_or_default();
+        let map = match &scenario.map {
+            MapConfig::Corridor(config) => build(config, around).map_err(refuse("map.corridor"))?.0,
+            MapConfig::Walls(config) => draw(config).map_err(refuse("map.walls"))?,
+            MapConfig::Ros(config) => read(config, source).map_err(refuse("map.ros.file"))?,
+        };
+        let spawns = places(&scenario, &map, document)?;
+        Ok(Self { scenario, map, spawns, ground: OnceLock::new() })
+    }
+
+    /// What of the map a robot can reach, in cells.
+    pub fn ground(&self) -> &Ground {
+        self.ground.get_or_init(|| Ground::survey(&self.map, &self.spawns, self.scenario.params.r_body_m))
+    }
+}
+
+/// One start per robot, with room for robots and for what the seed adds.
+fn places(scenario: &ExploreScenario, map: &Map, document: &Document<'_>) -> Result<Vec<Vec2>, ConfigError> {
+    let (team, params) = (&scenario.team, &scenario.params);
+    let robots = usize::from(team.robots);
+    let invalid = |key: String, got: String, expected: String| {
+        Err(ConfigError::Invalid { at: document.origin(&key), key, got, expected })
+    };
+    if team.spawns_m.len() < robots {
+        let got = format!("{} places", team.spawns_m.len());
+        let expected = format!("must be one place per robot at least (explore.robots = {robots})");
+        return invalid("explore.spawns_m".to_owned(), got, expected);
+    }
+    let wander_m = team.scatter_m * core::f32::consts::SQRT_2;
+    let wall_m = params.r_body_m + wander_m;
+    let apart_m = params.conflict_m() + 2.0 * wander_m;
+    let mut spawns: Vec<Vec2> = Vec::with_capacity(robots);
+    for (i, &place) in team.spawns_m.iter().enumerate().take(robots) {
+        let at = map.to_local(place);
+        let [x_m, y_m] = place.map(to_a_micrometre);
+        let robot = format!("robot {i} would start at ({x_m}, {y_m}) m");
+        let wrong = |expected| {
+            invalid(format!("explore.spawns_m.{i}"), format!("[{}, {}]", place[0], place[1]), expected)
+        };
+        if map.in_rock(at) {
+            return wrong(format!("{robot}, which is in rock; expected free space"));
+        }
+        let clearance_m = map.clearance_m(at);
+        if clearance_m < wall_m {
+            return wrong(format!(
+                "{robot}, {clearance_m:.3} m from a wall; expected at least {wall_m:.3} m: r_body_m, and scatter_m \
+                 both ways"
+            ));
+        }
+        if let Some((other, far_m)) =
+            spawns.iter().map(|other| other.distance(at)).enumerate().find(|(_, far_m)| *far_m < apart_m)
+        {
+            return wrong(format!(
+                "{robot}, {far_m:.3} m from robot {other}; expected at least {apart_m:.3} m: two r_body_m, \
+                 clearance_m, and scatter_m of both"
+            ));
+        }
+        spawns.push(at);
+    }
+    Ok(spawns)
+}

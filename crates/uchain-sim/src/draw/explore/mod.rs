@@ -1,0 +1,104 @@
+//! One exploration on one page.
+
+mod graph;
+mod stars;
+mod time;
+
+use glam::DVec2;
+use kuva::{RasterBackend, render::render::Scene};
+
+use super::{
+    DrawError, SCALE,
+    panel::{self, BOX_WIDTH, FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE},
+};
+use crate::{
+    analyse::explore::{ExploreHistory, ExploreSummary, Survey},
+    config::Site,
+};
+
+/// Lowest and highest box of a map.
+const HEIGHTS: (f64, f64) = (160.0, 620.0);
+/// Room around the map, as a share of its size.
+const MARGIN_SHARE: f64 = 0.02;
+/// Height of the box over time.
+const TIME_HEIGHT: f64 = 150.0;
+
+/// What is drawn.
+struct Sheet<'a> {
+    site: &'a Site,
+    history: &'a ExploreHistory,
+    survey: &'a Survey,
+    summary: &'a ExploreSummary,
+}
+
+/// One exploration on one page, as a PNG 1400 px wide (after Kim 2021, Fig. 9). Above: the map with the stars of all
+/// nodes, frontiers that are left, each robot's way and start, and what nobody saw. Middle: nodes and roadmap. Below:
+/// coverage over time. The axes are in the frame of the map's file or scenario.
+///
+/// # Errors
+/// [`DrawError::Raster`].
+pub fn explore_png(
+    site: &Site,
+    history: &ExploreHistory,
+    survey: &Survey,
+    summary: &ExploreSummary,
+) -> Result<Vec<u8>, DrawError> {
+    let sheet = Sheet { site, history, survey, summary };
+    let above = sheet.panel(64.0);
+    let middle = sheet.panel(above.bottom() + 52.0);
+    let below = sheet.time_panel(middle.bottom() + 58.0);
+    let mut scene = Scene::new(FIGURE_WIDTH, below.bottom() + 44.0);
+    panel::text(&mut scene, (above.left(), 20.0), TEXT_LARGE, &sheet.headline());
+    panel::text(&mut scene, (above.left(), 38.0), TEXT_LABEL, &sheet.figures());
+    sheet.draw_stars(&mut scene, &above);
+    sheet.draw_graph(&mut scene, &middle);
+    sheet.draw_time(&mut scene, &below);
+    RasterBackend { scale: SCALE }.render_scene(&scene).map_err(DrawError::Raster)
+}
+
+impl Sheet<'_> {
+    fn headline(&self) -> String {
+        let ExploreSummary { scenario, seed, robots, outcome, strategy, .. } = self.summary;
+        let s = if *robots == 1 { "" } else { "s" };
+        let strategy = match strategy {
+            uchain_core::explore::Strategy::Cssg => "cssg",
+            uchain_core::explore::Strategy::CssgRandom => "cssg-random",
+            uchain_core::explore::Strategy::Srg => "srg",
+        };
+        format!("{scenario}, seed {seed}, {strategy}, {robots} robot{s}: {outcome}")
+    }
+
+    fn figures(&self) -> String {
+        let summary = self.summary;
+        format!(
+            "{} iterations, {:.0} s, {:.1} m per robot, {} nodes, {:.2} % seen",
+            summary.iterations,
+            summary.sim_s,
+            summary.distance_mean_m(),
+            summary.nodes.iter().sum::<u32>(),
+            100.0 * summary.coverage,
+        )
+    }
+
+    /// A box of the map's own shape, so that a metre is as long across as up.
+    fn panel(&self, top: f64) -> Panel {
+        let (low, high) = self.site.map.bounds();
+        let offset = DVec2::from(self.site.map.offset_m());
+        let (low, high) = (low.as_dvec2() + offset, high.as_dvec2() + offset);
+        let size_m = (high - low) * (1.0 + 2.0 * MARGIN_SHARE);
+        let height = (BOX_WIDTH * size_m.y / size_m.x).clamp(HEIGHTS.0, HEIGHTS.1);
+        let m_per_unit = (size_m.x / BOX_WIDTH).max(size_m.y / height);
+        let half = DVec2::new(BOX_WIDTH, height) * m_per_unit / 2.0;
+        let middle = (low + high) / 2.0;
+        let (low, high) = (middle - half, middle + half);
+        Panel::new(top, height, (low.x, high.x), (low.y, high.y)).without_grid()
+    }
+
+    fn time_panel(&self, top: f64) -> Panel {
+        Panel::new(top, TIME_HEIGHT, (0.0, self.summary.sim_s.max(1.0)), (0.0, 105.0)).with_y_step(25.0)
+    }
+
+    fn robots(&self) -> usize {
+        self.history.ways_m.len()
+    }
+}

@@ -1,0 +1,208 @@
+//! One tick of an exploration: sense, decide, act, advance, record.
+//!
+//! Robots sense and decide in rounds that all begin together: when the last one has arrived, and has looked around for
+//! [`TeamConfig::scan_s`](crate::config::TeamConfig::scan_s). In between they fly.
+
+use glam::Vec2;
+use uchain_core::explore::{Command, Point, Pose, Purpose};
+
+use crate::{
+    config::{Site, VehicleKind},
+    mission::Team,
+    record::{ExploreFrame, NodeFrame, RecordError, Recorder, RobotFrame, Stopped, TICKS_PER_S, whole_ticks},
+    seed::{Seed, Source, Stream},
+    sense::Scanner,
+    world::{Fleet, PointMass, Vehicle, Waypoint},
+};
+
+/// What one robot sees at the start of a round: where it believes it is, and a scan if it asked for one.
+type Seen = (Pose, Option<Vec<Option<f32>>>);
+
+/// An exploration under way.
+#[derive(Debug)]
+pub struct Exploration<'a> {
+    site: &'a Site,
+    team: Team,
+    fleet: Fleet<'a>,
+    scanner: Scanner,
+    /// Noise of where robots believe they are.
+    noise: Vec<Stream>,
+    seen: Vec<Seen>,
+    tick: u64,
+    rounds: u32,
+    /// Whether robots look around where they come to.
+    scanning: bool,
+    /// Tick at which all have looked around; `None` while somebody flies.
+    ready: Option<u64>,
+    last_tick: u64,
+    frame: ExploreFrame,
+}
+
+impl<'a> Exploration<'a> {
+    /// A team at its starts, before its first tick. `None` for parameters that no checked site has.
+    pub fn new(site: &'a Site, seed: u64) -> Option<Self> {
+        let (team, params, seed) = (&site.scenario.team, &site.scenario.params, Seed(seed));
+        let z_m = params.height_m(uchain_core::explore::ExploreParams::USUAL_LEVEL);
+        let start = |(i, &at): (u32, &Vec2)| {
+            let mut stream = seed.stream(i, Source::Start);
+            let mut aside = || team.scatter_m * (2.0 * stream.uniform() - 1.0);
+            let at = at + Vec2::new(aside(), aside());
+            Waypoint { at, z_m, heading_rad: team.heading_deg.to_radians() }
+        };
+        let body = |at| -> Box<dyn Vehicle> {
+            match team.vehicle {
+                VehicleKind::PointMass => Box::new(PointMass::new(at, team.v_mps, team.climb_mps)),
+            }
+        };
+        let robots = 0..u32::from(team.robots);
+        let vehicles: Vec<Box<dyn Vehicle>> = robots.clone().zip(&site.spawns).map(start).map(body).collect();
+        let pending = |body: Waypoint| RobotFrame {
+            x_m: body.at.x,
+            y_m: body.at.y,
+            z_m: body.z_m,
+            heading_rad: body.heading_rad,
+            level: uchain_core::explore::ExploreParams::USUAL_LEVEL,
+            purpose: Purpose::Wait,
+            moves: false,
+            holds: false,
+            mfl: false,
+            wall_contacts: 0,
+            robot_contacts: 0,
+            level_passes: 0,
+        };
+        Some(Self {
+            team: Team::new(&site.scenario, seed)?,
+            scanner: Scanner::new(params),
+            noise: robots.map(|i| seed.stream(i, Source::Position)).collect(),
+            seen: vec![(Pose::default(), Some(Vec::new())); vehicles.len()],
+            tick: 0,
+            rounds: 0,
+            scanning: true,
+            ready: None,
+            last_tick: (site.scenario.duration_s * TICKS_PER_S).round() as u64,
+            frame: ExploreFrame {
+                robots: vehicles.iter().map(|body| pending(body.now())).collect(),
+                ..ExploreFrame::default()
+            },
+            fleet: Fleet::new(&site.map, params.r_body_m, vehicles),
+            site,
+        })
+    }
+
+    /// One tick. Says why, once it is over; then nothing moves any more.
+    ///
+    /// # Errors
+    /// Only the recorder's own.
+    pub fn step(&mut self, out: &mut impl Recorder<ExploreFrame>) -> Result<Option<Stopped>, RecordError> {
+        let decision = self.is_ready();
+        let mut stopped = None;
+        if decision {
+            self.sense();
+            stopped = self.decide();
+            self.act();
+        }
+        self.fleet.advance();
+        self.tick += 1;
+        stopped = stopped.or((self.tick >= self.last_tick).then_some(Stopped::Time));
+        self.fill_frame(decision, stopped);
+        out.frame(&self.frame)?;
+        Ok(stopped)
+    }
+
+    /// The team, for whoever checks on what it knows.
+    pub fn team(&self) -> &Team {
+        &self.team
+    }
+
+    /// Whether a round begins: all are there, and have looked around.
+    fn is_ready(&mut self) -> bool {
+        if !self.fleet.has_arrived() {
+            return false;
+        }
+        let scan_ticks = if self.scanning { whole_ticks(self.site.scenario.team.scan_s) } else { 0 };
+        let ready = *self.ready.get_or_insert(self.tick + scan_ticks);
+        self.tick >= ready
+    }
+
+    fn sense(&mut self) {
+        let sigma_m = self.site.scenario.team.position_sigma_m;
+        for ((body, seen), noise) in self.fleet.now().zip(&mut self.seen).zip(&mut self.noise) {
+            let (pose, scan) = seen;
+            let off =
+                if sigma_m > 0.0 { sigma_m * Vec2::new(noise.normal(), noise.normal()) } else { Vec2::ZERO };
+            *pose = Pose { at: point(body.at + off), heading_rad: body.heading_rad };
+            if let Some(returns_m) = scan {
+                self.scanner.scan(&self.site.map, body.at, returns_m);
+            }
+        }
+    }
+
+    fn decide(&mut self) -> Option<Stopped> {
+        let places: Vec<Point> = self.fleet.now().map(|body| point(body.at)).collect();
+        self.rounds += 1;
+        let over = self.team.round(&self.seen, &places);
+        // A round in which nobody has anything left to do is none.
+        self.rounds -= u32::from(over.is_some());
+        over
+    }
+
+    /// A robot flies as far and in the direction it has asked for, from where it really is.
+    fn act(&mut self) {
+        self.ready = None;
+        self.scanning = false;
+        let now: Vec<Waypoint> = self.fleet.now().collect();
+        for (i, command) in self.team.commands().iter().enumerate() {
+            let (pose, scan) = &mut self.seen[i];
+            let asked = Vec2::new(command.to.x_m - pose.at.x_m, command.to.y_m - pose.at.y_m);
+            let at = if point(now[i].at) == pose.at { place(command.to) } else { now[i].at + asked };
+            self.fleet.fly_to(i, Waypoint { at, z_m: command.z_m, heading_rad: command.heading_rad });
+            *scan = command.scan.then(Vec::new);
+            self.scanning |= command.scan;
+        }
+    }
+
+    fn fill_frame(&mut self, decision: bool, stopped: Option<Stopped>) {
+        let frame = &mut self.frame;
+        (frame.tick, frame.rounds, frame.decision, frame.stopped) =
+            (self.tick, self.rounds, decision, stopped);
+        frame.nodes.clear();
+        frame.labels.clear();
+        frame.edges.clear();
+        if decision {
+            let asked = self.team.commands().iter().zip(self.team.targets());
+            for (robot, (command, target)) in frame.robots.iter_mut().zip(asked) {
+                let Command { level, hold, mfl, to, .. } = *command;
+                (robot.level, robot.holds, robot.mfl) = (level, hold, mfl);
+                (robot.purpose, robot.moves) = (target.purpose, to != target.from);
+            }
+            let (whole, news) = (self.team.whole(), self.team.news());
+            let count = whole.cones().count();
+            for (slot, sectors) in news.nodes.clone().zip(news.sectors.chunks(count)) {
+                let (Some(id), Some(at)) = (whole.id(slot), whole.at(slot)) else { continue };
+                // Its robot stood there when the round began, and was seen there in the last frame.
+                let robot = frame.robots.get(usize::from(id.robot));
+                let at_m = robot.map_or([at.x_m, at.y_m], |robot| [robot.x_m, robot.y_m]);
+                let believed_m = [at.x_m, at.y_m];
+                frame.nodes.push(NodeFrame { id, at_m, believed_m, sectors: sectors.to_vec() });
+            }
+            frame.labels.extend_from_slice(&news.labels);
+            frame.edges.extend_from_slice(&news.edges);
+            frame.hubs = whole.hubs().count() as u32;
+        }
+        let contacts = self.fleet.contacts();
+        for ((robot, body), met) in frame.robots.iter_mut().zip(self.fleet.now()).zip(contacts) {
+            (robot.x_m, robot.y_m, robot.z_m) = (body.at.x, body.at.y, body.z_m);
+            robot.heading_rad = body.heading_rad;
+            (robot.wall_contacts, robot.robot_contacts) = (met.walls, met.robots);
+            robot.level_passes = met.passes;
+        }
+    }
+}
+
+fn point(at: Vec2) -> Point {
+    Point { x_m: at.x, y_m: at.y }
+}
+
+fn place(at: Point) -> Vec2 {
+    Vec2::new(at.x_m, at.y_m)
+}

@@ -1,0 +1,130 @@
+//! What one instant of an exploration leaves behind.
+
+use serde::Serialize;
+use uchain_core::explore::{Label, NodeId, Purpose, Sector};
+
+use super::{TICK_S, TICKS_PER_S};
+
+/// One robot at one instant. Places are true ones, in the map's frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RobotFrame {
+    /// Position (m).
+    pub x_m: f32,
+    /// Position (m).
+    pub y_m: f32,
+    /// Height (m).
+    pub z_m: f32,
+    /// Heading, counter-clockwise from the map's x axis (rad).
+    pub heading_rad: f32,
+    /// Level it is to be on at the end of the round, from 0.
+    pub level: u16,
+    /// Why it flies this round, or does not.
+    pub purpose: Purpose,
+    /// It flies to another place this round.
+    pub moves: bool,
+    /// It stays this round to let another one pass.
+    pub holds: bool,
+    /// It is on another level than the usual one to keep clear of others (Kim 2021, §6.2).
+    pub mfl: bool,
+    /// Wall contacts begun so far.
+    pub wall_contacts: u32,
+    /// Contacts with other robots on its level begun so far.
+    pub robot_contacts: u32,
+    /// Robots on their way from or to another level that it came as near to, so far.
+    pub level_passes: u32,
+}
+
+/// A node that was scanned at the start of the tick.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NodeFrame {
+    /// Its name.
+    pub id: NodeId,
+    /// Where the robot was, in the map's frame (m).
+    pub at_m: [f32; 2],
+    /// Where the robot believed it was (m).
+    pub believed_m: [f32; 2],
+    /// Label and radius of every sector, before any other node was looked at.
+    pub sectors: Vec<Sector>,
+}
+
+/// A label that changed at the start of the tick.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LabelFrame {
+    /// The node.
+    pub node: NodeId,
+    /// Its sector.
+    pub sector: u16,
+    /// What it is from now on.
+    pub label: Label,
+}
+
+/// One instant of an exploration.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ExploreFrame {
+    /// Ticks since the start. A frame shows the world at the end of its tick; what was decided in it was decided at
+    /// its start, [`ExploreFrame::decided_s`].
+    pub tick: u64,
+    /// Rounds begun so far.
+    pub rounds: u32,
+    /// Whether robots looked around and decided at the start of this tick; then only, `nodes`, `labels` and `edges`
+    /// may hold something.
+    pub decision: bool,
+    /// All robots.
+    pub robots: Vec<RobotFrame>,
+    /// New nodes, in order.
+    pub nodes: Vec<NodeFrame>,
+    /// Labels that changed, those of new nodes included.
+    pub labels: Vec<LabelFrame>,
+    /// New edges of the roadmap.
+    pub edges: Vec<[NodeId; 2]>,
+    /// Nodes with a frontier, of all that any robot knows.
+    pub hubs: u32,
+    /// Why the exploration is over; it is the last frame.
+    pub stopped: Option<Stopped>,
+}
+
+impl ExploreFrame {
+    /// Simulated time at the end of the tick (s).
+    pub fn time_s(&self) -> f64 {
+        self.tick as f64 / TICKS_PER_S
+    }
+
+    /// Simulated time at the start of the tick (s): when robots scanned and decided.
+    pub fn decided_s(&self) -> f64 {
+        self.tick.saturating_sub(1) as f64 / TICKS_PER_S
+    }
+}
+
+/// Why an exploration is over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stopped {
+    /// No frontier is left, and all are home.
+    Explored,
+    /// All are home, and frontiers are left that nobody knows of or finds a way to.
+    Unreachable,
+    /// All are home because there is room for no more nodes (`nodes_max`).
+    Full,
+    /// Nobody moves, and not all are home.
+    Stuck,
+    /// The longest time is up (`duration_s`).
+    Time,
+}
+
+impl Stopped {
+    /// The reason in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Explored => "no frontier left, all home",
+            Self::Unreachable => "all home, frontiers left that nobody finds a way to",
+            Self::Full => "all home, no room for more nodes (nodes_max)",
+            Self::Stuck => "nobody moves, and not all are home",
+            Self::Time => "the time is up (duration_s)",
+        }
+    }
+}
+
+/// A period as a whole number of ticks, which may be none.
+pub(crate) fn whole_ticks(period_s: f32) -> u64 {
+    (period_s / TICK_S).round() as u64
+}

@@ -1,0 +1,253 @@
+//! Robots that fly from place to place, and what they touch.
+
+use glam::Vec2;
+
+use crate::{map::Map, record::TICK_S};
+
+/// Overlap of bodies that still counts as none (m): what `f32` makes of distances in a map.
+const TOUCH_M: f32 = 1e-4;
+
+/// A place to fly to, and how to be there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Waypoint {
+    /// Where (m).
+    pub at: Vec2,
+    /// Height (m).
+    pub z_m: f32,
+    /// Heading (rad).
+    pub heading_rad: f32,
+}
+
+/// A body that flies to where it is told. All robots of a fleet are told at once.
+pub trait Vehicle: std::fmt::Debug + Send {
+    /// From now on, fly there.
+    fn fly_to(&mut self, to: Waypoint);
+    /// One tick passes.
+    fn advance(&mut self);
+    /// Where it is.
+    fn now(&self) -> Waypoint;
+    /// Whether it is where it was told to be.
+    fn has_arrived(&self) -> bool;
+}
+
+/// A point that flies straight: over ground at one speed, and to its new height evenly along the way. Where the way is
+/// too short for that, it climbs at its greatest speed and comes to its height last.
+#[derive(Debug, Clone)]
+pub struct PointMass {
+    v_mps: f32,
+    climb_mps: f32,
+    from: Waypoint,
+    to: Waypoint,
+    /// Ticks since the start of the way.
+    ticks: u32,
+}
+
+impl PointMass {
+    /// A point at rest.
+    pub fn new(at: Waypoint, v_mps: f32, climb_mps: f32) -> Self {
+        Self { v_mps, climb_mps, from: at, to: at, ticks: 0 }
+    }
+
+    /// Time over ground, and time to the new height (s).
+    fn needed_s(&self) -> (f32, f32) {
+        let ground_s = self.from.at.distance(self.to.at) / self.v_mps;
+        let climb_s = (self.to.z_m - self.from.z_m).abs() / self.climb_mps;
+        (ground_s, climb_s.max(ground_s))
+    }
+
+    fn passed_s(&self) -> f32 {
+        self.ticks as f32 * TICK_S
+    }
+}
+
+impl Vehicle for PointMass {
+    fn fly_to(&mut self, to: Waypoint) {
+        (self.from, self.to, self.ticks) = (self.now(), to, 0);
+    }
+
+    fn advance(&mut self) {
+        self.ticks = self.ticks.saturating_add(1);
+    }
+
+    fn now(&self) -> Waypoint {
+        let (passed_s, (ground_s, climb_s)) = (self.passed_s(), self.needed_s());
+        let share = |needed_s: f32| if passed_s < needed_s { passed_s / needed_s } else { 1.0 };
+        let (over, up) = (share(ground_s), share(climb_s));
+        Waypoint {
+            at: if over < 1.0 { self.from.at.lerp(self.to.at, over) } else { self.to.at },
+            z_m: if up < 1.0 { self.from.z_m + up * (self.to.z_m - self.from.z_m) } else { self.to.z_m },
+            heading_rad: self.to.heading_rad,
+        }
+    }
+
+    fn has_arrived(&self) -> bool {
+        self.passed_s() >= self.needed_s().1
+    }
+}
+
+/// All robots of an exploration.
+#[derive(Debug)]
+pub struct Fleet<'a> {
+    map: &'a Map,
+    r_body_m: f32,
+    vehicles: Vec<Box<dyn Vehicle>>,
+    touch: Vec<Touch>,
+    /// Pairs of robots in touch, lower index first, and whether they are to be at one height.
+    pairs: Vec<([usize; 2], bool)>,
+}
+
+/// What one robot touches.
+#[derive(Debug, Clone, Copy, Default)]
+struct Touch {
+    /// Way it may still fly before its distance from walls is of interest again (m).
+    room_m: f32,
+    last: Vec2,
+    at_wall: bool,
+    /// Height it is told to be at (m).
+    level_m: f32,
+    met: Touches,
+}
+
+/// What a robot has touched so far; each is counted when it begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Touches {
+    /// Walls.
+    pub walls: u32,
+    /// Robots on its own level: nearer over ground than two radii.
+    pub robots: u32,
+    /// Robots on their way from or to another level: nearer through the air than two radii.
+    pub passes: u32,
+}
+
+impl<'a> Fleet<'a> {
+    /// Robots of a radius in a map.
+    pub fn new(map: &'a Map, r_body_m: f32, vehicles: Vec<Box<dyn Vehicle>>) -> Self {
+        let touch: Vec<Touch> =
+            vehicles.iter().map(|body| Touch { level_m: body.now().z_m, ..Touch::default() }).collect();
+        let mut fleet = Self { map, r_body_m, vehicles, touch, pairs: Vec::new() };
+        fleet.feel();
+        fleet
+    }
+
+    /// One robot flies there from now on.
+    pub fn fly_to(&mut self, robot: usize, to: Waypoint) {
+        if let (Some(vehicle), Some(touch)) = (self.vehicles.get_mut(robot), self.touch.get_mut(robot)) {
+            vehicle.fly_to(to);
+            touch.level_m = to.z_m;
+        }
+    }
+
+    /// One tick passes.
+    pub fn advance(&mut self) {
+        for vehicle in &mut self.vehicles {
+            vehicle.advance();
+        }
+        self.feel();
+    }
+
+    /// Where robots are.
+    pub fn now(&self) -> impl Iterator<Item = Waypoint> + '_ {
+        self.vehicles.iter().map(|vehicle| vehicle.now())
+    }
+
+    /// Whether all are where they were told to be.
+    pub fn has_arrived(&self) -> bool {
+        self.vehicles.iter().all(|vehicle| vehicle.has_arrived())
+    }
+
+    /// Per robot, what it has touched so far.
+    pub fn contacts(&self) -> impl Iterator<Item = Touches> + '_ {
+        self.touch.iter().map(|touch| touch.met)
+    }
+
+    /// A robot is a ball. It touches a wall, which goes up to the ceiling, nearer than its radius.
+    fn feel(&mut self) {
+        let now: Vec<Waypoint> = self.now().collect();
+        for (i, here) in now.iter().enumerate() {
+            let touch = &mut self.touch[i];
+            touch.room_m -= here.at.distance(touch.last);
+            touch.last = here.at;
+            if touch.room_m <= 0.0 {
+                touch.room_m = self.map.clearance_m(here.at) - self.r_body_m + TOUCH_M;
+                let at_wall = touch.room_m < 0.0 || self.map.in_rock(here.at);
+                touch.met.walls += u32::from(at_wall && !touch.at_wall);
+                touch.at_wall = at_wall;
+            }
+        }
+        let before = std::mem::take(&mut self.pairs);
+        let near_m = 2.0 * self.r_body_m - TOUCH_M;
+        for (j, b) in now.iter().enumerate() {
+            for (i, a) in now.iter().enumerate().take(j) {
+                let (over2, up) = (a.at.distance_squared(b.at), a.z_m - b.z_m);
+                let one_level = self.touch[i].level_m == self.touch[j].level_m;
+                if over2 + if one_level { 0.0 } else { up * up } >= near_m * near_m {
+                    continue;
+                }
+                if !before.contains(&([i, j], one_level)) {
+                    for robot in [i, j] {
+                        let met = &mut self.touch[robot].met;
+                        *(if one_level { &mut met.robots } else { &mut met.passes }) += 1;
+                    }
+                }
+                self.pairs.push(([i, j], one_level));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::map::drawn;
+
+    fn at(x: f32, y: f32, z_m: f32) -> Waypoint {
+        Waypoint { at: Vec2::new(x, y), z_m, heading_rad: 0.0 }
+    }
+
+    fn fly(starts: &[Waypoint], ends: &[Waypoint]) -> (u32, Vec<Touches>) {
+        let map = drawn(&[vec![[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]]]).unwrap();
+        let body = |&start: &Waypoint| Box::new(PointMass::new(start, 0.5, 0.5)) as Box<dyn Vehicle>;
+        let mut fleet = Fleet::new(&map, 0.1, starts.iter().map(body).collect());
+        for (i, &end) in ends.iter().enumerate() {
+            fleet.fly_to(i, end);
+        }
+        let mut ticks = 0;
+        while !fleet.has_arrived() {
+            fleet.advance();
+            ticks += 1;
+        }
+        assert!(fleet.now().zip(ends).all(|(now, &end)| now == end));
+        (ticks, fleet.contacts().collect())
+    }
+
+    #[test]
+    fn a_move_takes_as_long_as_its_way_over_ground_or_as_its_climb() {
+        assert_eq!(fly(&[at(0.0, 0.0, 1.0)], &[at(0.8, 0.0, 1.5)]).0, 32);
+        assert_eq!(fly(&[at(0.0, 0.0, 1.0)], &[at(0.1, 0.0, 1.5)]).0, 20);
+        assert_eq!(fly(&[at(0.0, 0.0, 1.0)], &[at(0.0, 0.0, 1.0)]).0, 0);
+    }
+
+    #[test]
+    fn robots_that_cross_on_one_level_touch_once_and_on_two_levels_never() {
+        let cross = |z_m: f32| {
+            fly(&[at(-1.0, 0.0, 1.0), at(0.0, -1.0, z_m)], &[at(1.0, 0.0, 1.0), at(0.0, 1.0, z_m)]).1
+        };
+        assert_eq!(cross(1.0), [Touches { robots: 1, ..Touches::default() }; 2]);
+        assert_eq!(cross(1.5), [Touches::default(); 2]);
+    }
+
+    #[test]
+    fn a_robot_that_climbs_past_another_one_passes_it() {
+        let (low, middle, high) = (at(0.0, 0.0, 0.5), at(0.1, 0.0, 1.0), at(0.0, 0.0, 1.5));
+        assert_eq!(fly(&[low, middle], &[high, middle]).1, [Touches { passes: 1, ..Touches::default() }; 2]);
+    }
+
+    #[test]
+    fn a_robot_that_comes_nearer_to_a_wall_than_its_radius_touches_it_once() {
+        assert_eq!(
+            fly(&[at(1.0, 0.0, 1.0)], &[at(1.95, 0.5, 1.0)]).1,
+            [Touches { walls: 1, ..Touches::default() }]
+        );
+        assert_eq!(fly(&[at(1.0, 0.0, 1.0)], &[at(1.9, 0.5, 1.0)]).1, [Touches::default()]);
+    }
+}

@@ -1,0 +1,21 @@
+//! Explorations end at home, with everything seen and nothing touched.
+
+mod invariants;
+mod paths;
+mod table;
+
+use uchain_sim::{
+    analyse::explore::ExploreSummary,
+    config::{Site, builtin},
+    run::explore,
+};
+
+/// A compiled-in exploration with keys set.
+fn site(name: &str, sets: &[&str]) -> Site {
+    let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
+    Site::read(&builtin(name).expect("a compiled-in scenario"), &sets).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn summary(site: &Site, seed: u64) -> ExploreSummary {
+    explore(site, seed, &mut ()).expect("a run").0
+}
