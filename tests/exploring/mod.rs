@@ -2,6 +2,7 @@
 
 mod invariants;
 mod paths;
+mod recording;
 mod table;
 
 use uchain_sim::{

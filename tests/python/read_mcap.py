@@ -119,6 +119,33 @@ def check_scans(frames, topics, walls):
         assert min(xs) - 0.1 < x < max(xs) + 0.1 and min(ys) - 0.1 < y < max(ys) + 0.1 and z == 0
 
 
+def check_exploration(topics, inspected):
+    """Frames, rounds, stars and ways of an exploration say the same."""
+    frames = topics["/frame", "uchain.ExploreFrame"]
+    assert [time for time, _ in frames] == [TICK_NS * (i + 1) for i in range(inspected["ticks"])]
+    robots, nodes = len(frames[0][1].x_m), sum(len(frame.node_robot) for _, frame in frames)
+    assert nodes == sum(inspected["nodes"]) and frames[-1][1].stopped == 1 and frames[-1][1].hubs == 0
+    assert sum(len(frame.edge_robot) for _, frame in frames) == 2 * inspected["edges"]
+    metrics = dict(topics["/metrics", "uchain.ExploreMetrics"])
+    for now in inspected["progress"]:
+        metric = metrics[round(now["time_s"] * 20) * TICK_NS]
+        for name in "rounds nodes edges hubs moving distance_m wall_contacts robot_contacts".split():
+            assert getattr(metric, name) == now[name], (name, now)
+    assert math.isclose(now["distance_m"], sum(inspected["distance_m"]), rel_tol=1e-9)
+    for time, message in topics["/poses", "foxglove.PosesInFrame"]:
+        frame = frames[time // TICK_NS - 1][1]
+        places = [(pose.position.x, pose.position.y, pose.position.z) for pose in message.poses]
+        assert places == list(zip(frame.x_m, frame.y_m, frame.z_m))
+    stars = {e.id: e for _, m in topics["/stars", "foxglove.SceneUpdate"] for e in m.entities}
+    assert len(stars) == nodes
+    # In the end an outline is left of every star, and no frontier.
+    assert all(len(star.lines) == 1 for star in stars.values())
+    assert len(topics["/robots", "foxglove.SceneUpdate"][0][1].entities) == robots
+    flown = sum(len(m.entities) for _, m in topics["/ways", "foxglove.SceneUpdate"])
+    assert flown == sum(inspected["moves"]), flown
+    assert topics["/log", "foxglove.Log"][-1][1].message == f"over: {inspected['outcome']}"
+
+
 def main(path, printed):
     named = from_front_to_back(path)
     with open(printed, encoding="utf-8") as file:
@@ -129,6 +156,15 @@ def main(path, printed):
     walls = named["walls.csv"].data.decode()
 
     topics = decoded(path)
+    if "progress" in inspected:
+        check_exploration(topics, inspected)
+    else:
+        check_chain(topics, inspected, walls)
+    counts = Counter({topic: len(messages) for (topic, _), messages in topics.items()})
+    print(f"{sum(counts.values())} messages on {len(counts)} topics decoded, checksums right: {dict(counts)}")
+
+
+def check_chain(topics, inspected, walls):
     frames = topics["/frame", "uchain.Frame"]
     check_frames(frames, inspected["ticks"])
     check_moments(frames, topics["/metrics", "uchain.Metrics"], inspected["moments"])
@@ -141,9 +177,6 @@ def main(path, printed):
     assert any(e.lines[0].points for _, m in topics["/links", "foxglove.SceneUpdate"] for e in m.entities)
     said = [message.message for _, message in topics["/log", "foxglove.Log"]]
     assert sum("took off" in words for words in said) == launches, said
-
-    counts = Counter({topic: len(messages) for (topic, _), messages in topics.items()})
-    print(f"{sum(counts.values())} messages on {len(counts)} topics decoded, checksums right: {dict(counts)}")
 
 
 if __name__ == "__main__":

@@ -5,7 +5,6 @@
 
 mod args;
 mod exit;
-mod explore;
 mod fly;
 mod output;
 mod plan;

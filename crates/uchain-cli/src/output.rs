@@ -37,7 +37,7 @@ impl Names {
 pub(crate) const RUN: Names =
     Names { numbers: "summary.json", picture: "run.png", recording: Some("run.mcap"), others: &[] };
 /// What `uchain run` leaves of an exploration: besides, the explored map as a ROS map.
-pub(crate) const EXPLORE: Names = Names { recording: None, others: &["map.pgm", "map.yaml"], ..RUN };
+pub(crate) const EXPLORE: Names = Names { others: &["map.pgm", "map.yaml"], ..RUN };
 /// What `uchain plan` leaves.
 pub(crate) const PLAN: Names =
     Names { numbers: "plan.json", picture: "plan.png", recording: None, others: &[] };

@@ -3,10 +3,11 @@
 use std::io::Read;
 
 use crate::{
-    analyse::{Comparison, Difference, differences},
+    analyse::{Comparison, Difference},
+    explore::Exploration,
     record::{
-        Frame, RecordError, Recorder,
-        mcap::{End, Frames, ReadError, Recording},
+        ExploreFrame, RecordError, Recorder,
+        mcap::{End, Frames, ReadError, Recordable, Recording},
     },
     run::total_ticks,
     sim::Sim,
@@ -34,10 +35,11 @@ impl Verdict {
 }
 
 /// Keeps the last frame.
-struct Last(Frame);
+#[derive(Default)]
+struct Last<F>(F);
 
-impl Recorder for Last {
-    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+impl<F: Clone> Recorder<F> for Last<F> {
+    fn frame(&mut self, frame: &F) -> Result<(), RecordError> {
         self.0.clone_from(frame);
         Ok(())
     }
@@ -64,22 +66,76 @@ pub fn verify<R: Read>(recording: &mut Recording<R>) -> Result<Verdict, ReadErro
     let course = recording.course()?;
     let of = total_ticks(course.scenario.duration_s);
     let mut sim = Sim::new(&course, recording.about.seed);
-    let (mut recorded, mut flown) = (Frame::default(), Last(Frame::default()));
-    let (mut ticks, mut first) = (0, None);
-    while first.is_none() && recording.frames.read(&mut recorded)? {
+    let mut ticks = 0;
+    compare(&mut recording.frames, |flown| {
         if ticks == of {
-            let why = format!("it goes on after the {of} ticks of its scenario");
-            return Err(ReadError::Frame { tick: ticks, why });
+            return false;
+        }
+        ticks += 1;
+        // `Last` never says no.
+        let _ = sim.step(flown);
+        true
+    })
+    .map(|found| Verdict { of, ..found })
+}
+
+/// Like [`verify`], for an exploration. What was not recorded is flown all the same, to say how many ticks there are.
+///
+/// # Errors
+/// Those of [`verify`].
+///
+/// ```
+/// use uchain_sim::{config::{Site, builtin}, record::mcap::{ExploreRecorder, Recording}, replay, run::explore};
+/// let site = Site::read(&builtin("apartment").unwrap(), &["duration_s=20".to_owned()]).unwrap();
+/// let mut recorder = ExploreRecorder::start(Vec::new(), &site, 1).unwrap();
+/// explore(&site, 1, &mut recorder).unwrap();
+/// let file = recorder.finish().unwrap();
+///
+/// let mut recording = Recording::read_exploration(file.as_slice(), "memory").unwrap();
+/// let verdict = replay::verify_exploration(&mut recording).unwrap();
+/// assert!(verdict.agrees());
+/// assert_eq!((verdict.ticks, verdict.of), (400, 400));
+/// ```
+pub fn verify_exploration<R: Read>(recording: &mut Recording<R, ExploreFrame>) -> Result<Verdict, ReadError> {
+    let site = recording.site()?;
+    let Some(mut exploration) = Exploration::new(&site, recording.about.seed) else {
+        return Err(ReadError::NotOurs { why: "its parameters are out of range".to_owned() });
+    };
+    let (mut over, mut of) = (false, 0);
+    let mut step = |flown: &mut Last<ExploreFrame>| {
+        if over {
+            return false;
         }
         // `Last` never says no.
-        let _ = sim.step(&mut flown);
-        differences(&recorded, &flown.0, |found| _ = first.get_or_insert(found));
+        over = !matches!(exploration.step(flown), Ok(None));
+        of += 1;
+        true
+    };
+    let verdict = compare(&mut recording.frames, &mut step)?;
+    let mut rest = Last::default();
+    while verdict.first.is_none() && step(&mut rest) {}
+    Ok(Verdict { of, ..verdict })
+}
+
+/// Flies tick by tick beside a recording; `step` says whether there was one more.
+fn compare<R: Read, F: Recordable>(
+    frames: &mut Frames<R, F>,
+    mut step: impl FnMut(&mut Last<F>) -> bool,
+) -> Result<Verdict, ReadError> {
+    let (mut recorded, mut flown) = (F::default(), Last(F::default()));
+    let (mut ticks, mut first) = (0, None);
+    while first.is_none() && frames.read(&mut recorded)? {
+        if !step(&mut flown) {
+            let why = format!("it goes on after the {ticks} ticks of its scenario");
+            return Err(ReadError::Frame { tick: ticks, why });
+        }
+        recorded.differences(&flown.0, &mut |found| _ = first.get_or_insert(found));
         ticks += 1;
     }
     if ticks == 0 {
         return Err(ReadError::NoFrames);
     }
-    Ok(Verdict { ticks, of, end: recording.frames.end(), first })
+    Ok(Verdict { ticks, of: ticks, end: frames.end(), first })
 }
 
 /// Which of two recordings cannot be read.
@@ -97,8 +153,11 @@ pub enum DiffError {
 ///
 /// # Errors
 /// [`DiffError`].
-pub fn diff(here: &mut Frames<impl Read>, there: &mut Frames<impl Read>) -> Result<Comparison, DiffError> {
-    let (mut a, mut b) = (Frame::default(), Frame::default());
+pub fn diff<F: Recordable>(
+    here: &mut Frames<impl Read, F>,
+    there: &mut Frames<impl Read, F>,
+) -> Result<Comparison, DiffError> {
+    let (mut a, mut b) = (F::default(), F::default());
     let mut comparison = Comparison::default();
     loop {
         let more =

@@ -1,8 +1,12 @@
 //! `uchain diff`: two recordings side by side.
 
-use std::fmt::Write as _;
+use std::{fmt::Write as _, io::Read};
 
-use uchain_sim::{analyse::Comparison, replay};
+use uchain_sim::{
+    analyse::Comparison,
+    record::mcap::{AnyRecording, Recordable, Recording},
+    replay,
+};
 
 use super::{Diff, open};
 use crate::exit::Failure;
@@ -11,7 +15,21 @@ use crate::exit::Failure;
 const MOST_KEYS: usize = 30;
 
 pub(crate) fn diff(asked: &Diff) -> Result<(), Failure> {
-    let (mut here, mut there) = (open(&asked.here)?, open(&asked.there)?);
+    match (open(&asked.here)?, open(&asked.there)?) {
+        (AnyRecording::Chain(here), AnyRecording::Chain(there)) => compare(asked, *here, *there),
+        (AnyRecording::Explore(here), AnyRecording::Explore(there)) => compare(asked, *here, *there),
+        _ => {
+            asked.quiet.report(|| "one is of a chain, the other of an exploration\n".to_owned())?;
+            Err(Failure::Differ)
+        }
+    }
+}
+
+fn compare<R: Read, F: Recordable>(
+    asked: &Diff,
+    mut here: Recording<R, F>,
+    mut there: Recording<R, F>,
+) -> Result<(), Failure> {
     let comparison = replay::diff(&mut here.frames, &mut there.frames).map_err(|error| match error {
         replay::DiffError::Here(cause) => Failure::Recording { file: asked.here.clone(), cause },
         replay::DiffError::There(cause) => Failure::Recording { file: asked.there.clone(), cause },

@@ -12,7 +12,7 @@ use std::{
 };
 
 use clap::{Args, ValueHint};
-use uchain_sim::record::mcap::Recording;
+use uchain_sim::record::mcap::AnyRecording;
 
 use crate::{
     args::{Out, Quiet, Say},
@@ -21,7 +21,7 @@ use crate::{
 
 pub(crate) use diff::diff;
 pub(crate) use inspect::inspect;
-pub(crate) use tape::Tape;
+pub(crate) use tape::{Tape, end};
 pub(crate) use verify::verify;
 
 const INSPECT_EXAMPLES: &str = "\
@@ -108,6 +108,6 @@ pub(crate) struct Diff {
     quiet: Quiet,
 }
 
-fn open(file: &Path) -> Result<Recording<BufReader<File>>, Failure> {
-    Recording::open(file).map_err(|cause| Failure::Recording { file: file.to_owned(), cause })
+fn open(file: &Path) -> Result<AnyRecording<BufReader<File>>, Failure> {
+    AnyRecording::open(file).map_err(|cause| Failure::Recording { file: file.to_owned(), cause })
 }

@@ -1,10 +1,13 @@
-//! The recording of a flight, while it flies.
+//! The recording of a mission, while it flies.
 
 use std::{fs::File, io::BufWriter, path::PathBuf};
 
 use uchain_sim::{
-    config::Course,
-    record::{Frame, RecordError, Recorder, mcap::McapRecorder},
+    config::{Course, Site},
+    record::{
+        RecordError, Recorder,
+        mcap::{ExploreRecorder, McapRecorder},
+    },
     run::RunError,
 };
 
@@ -12,35 +15,62 @@ use crate::{exit::Failure, output::Folder};
 
 /// `run.mcap` under way. It has its name from the first tick on, and every whole chunk is in the file at once: a run
 /// that is killed leaves a recording of all but its last moments.
-pub(crate) struct Tape {
-    recorder: McapRecorder<BufWriter<File>>,
+pub(crate) struct Tape<T> {
+    recorder: T,
     file: PathBuf,
 }
 
-impl Tape {
-    pub(crate) fn begin(folder: &Folder, name: &str, course: &Course, seed: u64) -> Result<Self, Failure> {
-        let start = |file| McapRecorder::start(BufWriter::new(file), course, seed);
-        let (recorder, file) = folder.begin(name, start)?;
-        Ok(Self { recorder, file })
-    }
+type Out = BufWriter<File>;
 
-    /// The run is over.
-    pub(crate) fn end(self) -> Result<(), Failure> {
-        let Self { recorder, file } = self;
-        recorder.finish().map(drop).map_err(|cause| Failure::Tape { file, cause })
-    }
-
-    /// The run ended before its time.
-    pub(crate) fn cut(self, error: RunError) -> Failure {
-        let Self { recorder, file } = self;
-        // Without its index the file is readable as well, and a disk that was full still is.
-        let _ = recorder.finish();
-        Failure::Cut { error, recording: file }
+impl Tape<McapRecorder<Out>> {
+    pub(crate) fn of_chain(folder: &Folder, name: &str, course: &Course, seed: u64) -> Result<Self, Failure> {
+        let start = |file| McapRecorder::start(Out::new(file), course, seed);
+        folder.begin(name, start).map(|(recorder, file)| Self { recorder, file })
     }
 }
 
-impl Recorder for Tape {
-    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+impl Tape<ExploreRecorder<Out>> {
+    pub(crate) fn of_exploration(
+        folder: &Folder,
+        name: &str,
+        site: &Site,
+        seed: u64,
+    ) -> Result<Self, Failure> {
+        let start = |file| ExploreRecorder::start(Out::new(file), site, seed);
+        folder.begin(name, start).map(|(recorder, file)| Self { recorder, file })
+    }
+}
+
+/// A recording that has an end.
+pub(crate) trait Finish {
+    fn finish(self) -> Result<(), RecordError>;
+}
+
+impl Finish for McapRecorder<Out> {
+    fn finish(self) -> Result<(), RecordError> {
+        self.finish().map(drop)
+    }
+}
+
+impl Finish for ExploreRecorder<Out> {
+    fn finish(self) -> Result<(), RecordError> {
+        self.finish().map(drop)
+    }
+}
+
+/// Ends a recording, if there is one, as its run has ended.
+pub(crate) fn end<T, R: Finish>(flown: Result<T, RunError>, tape: Option<Tape<R>>) -> Result<T, Failure> {
+    let Some(Tape { recorder, file }) = tape else { return Ok(flown?) };
+    match (flown, recorder.finish()) {
+        (Ok(flown), Ok(())) => Ok(flown),
+        (Ok(_), Err(cause)) => Err(Failure::Tape { file, cause }),
+        // Without its index the file is readable as well, and a disk that was full still is.
+        (Err(error), _) => Err(Failure::Cut { error, recording: file }),
+    }
+}
+
+impl<F, R: Recorder<F>> Recorder<F> for Tape<R> {
+    fn frame(&mut self, frame: &F) -> Result<(), RecordError> {
         self.recorder.frame(frame)
     }
 }

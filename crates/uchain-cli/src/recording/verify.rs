@@ -1,6 +1,9 @@
 //! `uchain verify`: fly a recording again.
 
-use uchain_sim::{record::mcap::End, replay};
+use uchain_sim::{
+    record::mcap::{AnyRecording, End},
+    replay,
+};
 
 use super::{Verify, open};
 use crate::exit::Failure;
@@ -9,11 +12,13 @@ use crate::exit::Failure;
 const OURS: &str = env!("CARGO_PKG_VERSION");
 
 pub(crate) fn verify(asked: &Verify) -> Result<(), Failure> {
-    let mut recording = open(&asked.file)?;
-    let refused = |cause| Failure::Recording { file: asked.file.clone(), cause };
-    let verdict = replay::verify(&mut recording).map_err(refused)?;
+    let (verdict, about) = match open(&asked.file)? {
+        AnyRecording::Chain(mut recording) => (replay::verify(&mut recording), recording.about),
+        AnyRecording::Explore(mut recording) => (replay::verify_exploration(&mut recording), recording.about),
+    };
+    let verdict = verdict.map_err(|cause| Failure::Recording { file: asked.file.clone(), cause })?;
 
-    let theirs = &recording.about.version;
+    let theirs = &about.version;
     let versions = if theirs == OURS {
         String::new()
     } else {

@@ -9,9 +9,9 @@ mod plan;
 mod summary;
 mod timeline;
 
-pub use compare::{Comparison, Difference, Value, Whose, differences};
+pub use compare::{Compare, Comparison, Difference, Value, Whose};
 pub use digest::Digest;
 pub use metrics::Metrics;
 pub use plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan};
 pub use summary::{LinkSummary, Summary};
-pub use timeline::Timeline;
+pub use timeline::{ExploreTimeline, Timeline};

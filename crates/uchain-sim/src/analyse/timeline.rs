@@ -1,53 +1,99 @@
 //! A run in a bounded number of moments.
 
-use crate::record::{Frame, Moment, RecordError, Recorder};
+use crate::record::{ExploreFrame, Frame, Moment, Odometer, Progress, RecordError, Recorder};
 
 /// Keeps moments of the decisions, evenly spaced, at most twice as many as asked for, and the last one.
 #[derive(Debug, Clone)]
 pub struct Timeline {
     limit_db: f32,
-    wanted: usize,
-    moments: Vec<Moment>,
-    last: Option<Moment>,
-    stride: u64,
-    decisions: u64,
+    kept: Thinned<Moment>,
 }
 
 impl Timeline {
     /// Keeps about so many moments; from `limit_db` on nothing is received (dB).
     pub fn new(wanted: usize, limit_db: f32) -> Self {
-        let wanted = wanted.max(1);
-        Self { limit_db, wanted, moments: Vec::new(), last: None, stride: 1, decisions: 0 }
+        Self { limit_db, kept: Thinned::new(wanted) }
     }
 
     /// The moments kept, in order.
-    pub fn into_moments(mut self) -> Vec<Moment> {
-        let last = self.last.filter(|last| self.moments.last() != Some(last));
-        self.moments.extend(last);
-        self.moments
+    pub fn into_moments(self) -> Vec<Moment> {
+        self.kept.into_all()
     }
 }
 
 impl Recorder for Timeline {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
-        if !frame.decision {
-            return Ok(());
+        if frame.decision {
+            self.kept.push(Moment::of(frame, self.limit_db));
         }
-        let moment = Moment::of(frame, self.limit_db);
-        self.last = Some(moment);
-        if self.decisions.is_multiple_of(self.stride) {
-            self.moments.push(moment);
+        Ok(())
+    }
+}
+
+/// Keeps rounds of an exploration, evenly spaced, at most twice as many as asked for, and the last one.
+#[derive(Debug, Clone)]
+pub struct ExploreTimeline {
+    odometer: Odometer,
+    kept: Thinned<Progress>,
+}
+
+impl ExploreTimeline {
+    /// Keeps about so many rounds.
+    pub fn new(wanted: usize) -> Self {
+        Self { odometer: Odometer::default(), kept: Thinned::new(wanted) }
+    }
+
+    /// How far the exploration had come at the begin of the rounds kept, in order, and in the end.
+    pub fn into_rounds(self) -> Vec<Progress> {
+        self.kept.into_all()
+    }
+}
+
+impl Recorder<ExploreFrame> for ExploreTimeline {
+    fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
+        let progress = self.odometer.add(frame);
+        if frame.decision || frame.stopped.is_some() {
+            self.kept.push(progress);
         }
-        self.decisions += 1;
-        if self.moments.len() >= 2 * self.wanted {
+        Ok(())
+    }
+}
+
+/// Keeps every first, second, fourth … of what comes, so that it is never too much.
+#[derive(Debug, Clone)]
+struct Thinned<T> {
+    wanted: usize,
+    kept: Vec<T>,
+    last: Option<T>,
+    stride: u64,
+    seen: u64,
+}
+
+impl<T: Copy + PartialEq> Thinned<T> {
+    fn new(wanted: usize) -> Self {
+        Self { wanted: wanted.max(1), kept: Vec::new(), last: None, stride: 1, seen: 0 }
+    }
+
+    fn push(&mut self, next: T) {
+        self.last = Some(next);
+        if self.seen.is_multiple_of(self.stride) {
+            self.kept.push(next);
+        }
+        self.seen += 1;
+        if self.kept.len() >= 2 * self.wanted {
             let mut index = 0_u32;
-            self.moments.retain(|_| {
+            self.kept.retain(|_| {
                 index += 1;
                 index % 2 == 1
             });
             self.stride *= 2;
         }
-        Ok(())
+    }
+
+    fn into_all(mut self) -> Vec<T> {
+        let last = self.last.filter(|last| self.kept.last() != Some(last));
+        self.kept.extend(last);
+        self.kept
     }
 }
 

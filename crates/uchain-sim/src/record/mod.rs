@@ -4,6 +4,7 @@ mod explore;
 #[cfg(feature = "record")]
 pub mod mcap;
 mod moment;
+mod progress;
 
 use uchain_core::chain::Tof;
 
@@ -11,6 +12,8 @@ pub(crate) use explore::whole_ticks;
 pub use explore::{ExploreFrame, LabelFrame, NodeFrame, RobotFrame, Stopped};
 pub use moment::Moment;
 pub(crate) use moment::spread_db;
+pub(crate) use progress::Odometer;
+pub use progress::Progress;
 
 /// One UAV at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]

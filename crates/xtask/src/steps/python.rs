@@ -19,14 +19,17 @@ pub(super) fn reads_recordings(house: &House) -> Result<Outcome> {
     }
     // Words of the step `test`: whole workspace, same features, so that nothing compiles a second time.
     run(&mut house.cargo("test --locked --profile checked --workspace --tests --no-run"))?;
-    let folder = house.target.join("proof/recording");
-    let uchain = || Command::new(house.target.join("checked/uchain"));
-    run(uchain().args(["run", "corner", "--quiet", "--force", "--out"]).arg(&folder))?;
-    let recording = folder.join("run.mcap");
-    let inspected = folder.join("inspect.json");
-    let json = read(uchain().args(["inspect", "--json"]).arg(&recording))?;
-    fs::write(&inspected, json).with_context(|| format!("cannot write {}", inspected.display()))?;
-    let script = house.root.join("tests/python/read_mcap.py");
-    run(Command::new(&python).arg(script).arg(&recording).arg(&inspected))?;
+    // A chain and an exploration.
+    for scenario in ["corner", "apartment"] {
+        let folder = house.target.join("proof/recording").join(scenario);
+        let uchain = || Command::new(house.target.join("checked/uchain"));
+        run(uchain().args(["run", scenario, "--quiet", "--force", "--out"]).arg(&folder))?;
+        let recording = folder.join("run.mcap");
+        let inspected = folder.join("inspect.json");
+        let json = read(uchain().args(["inspect", "--json"]).arg(&recording))?;
+        fs::write(&inspected, json).with_context(|| format!("cannot write {}", inspected.display()))?;
+        let script = house.root.join("tests/python/read_mcap.py");
+        run(Command::new(&python).arg(script).arg(&recording).arg(&inspected))?;
+    }
     Ok(Outcome::Passed)
 }

@@ -64,7 +64,7 @@ pub struct Explanation {
 /// use uchain_sim::config::help::explain;
 /// let alpha = &explain("alpha_wall").unwrap()[0];
 /// assert_eq!((alpha.key.as_str(), alpha.default.as_deref()), ("radio.alpha_wall", Some("6")));
-/// assert!(explain("alpha").unwrap_err().to_string().contains("radio.alpha_free"));
+/// assert!(explain("law").unwrap_err().to_string().contains("equalize.law, center.law"));
 /// ```
 ///
 /// # Errors

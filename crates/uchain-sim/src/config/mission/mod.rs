@@ -5,6 +5,7 @@ mod site;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "schema")]
 pub(super) use explore::CHAIN_ONLY;
 pub use explore::{ExploreScenario, TeamConfig, VehicleKind};
 pub use site::Site;

@@ -43,16 +43,32 @@ impl Site {
     pub fn read(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
         let document = Document::parse(source, sets)?;
         let scenario = ExploreScenario::from_document(&document)?;
-        Self::lay(scenario, source, &document)
+        Self::lay(scenario, source, &document, None)
     }
 
-    fn lay(scenario: ExploreScenario, source: &Source, document: &Document<'_>) -> Result<Self, ConfigError> {
+    /// Like [`Site::read`], in a map that was built before; what the scenario says of its map is not read.
+    ///
+    /// # Errors
+    /// Those of [`Site::read`].
+    pub fn read_in(source: &Source, map: Map) -> Result<Self, ConfigError> {
+        let document = Document::parse(source, &[])?;
+        let scenario = ExploreScenario::from_document(&document)?;
+        Self::lay(scenario, source, &document, Some(map))
+    }
+
+    fn lay(
+        scenario: ExploreScenario,
+        source: &Source,
+        document: &Document<'_>,
+        built: Option<Map>,
+    ) -> Result<Self, ConfigError> {
         let refuse = |key: &'static str| move |cause| refuse(document, key, cause);
         let around = scenario.team.spawns_m.first().copied().unwrap_or_default();
-        let map = match &scenario.map {
-            MapConfig::Corridor(config) => build(config, around).map_err(refuse("map.corridor"))?.0,
-            MapConfig::Walls(config) => draw(config).map_err(refuse("map.walls"))?,
-            MapConfig::Ros(config) => read(config, source).map_err(refuse("map.ros.file"))?,
+        let map = match (&scenario.map, built) {
+            (_, Some(map)) => map,
+            (MapConfig::Corridor(config), None) => build(config, around).map_err(refuse("map.corridor"))?.0,
+            (MapConfig::Walls(config), None) => draw(config).map_err(refuse("map.walls"))?,
+            (MapConfig::Ros(config), None) => read(config, source).map_err(refuse("map.ros.file"))?,
         };
         let spawns = places(&scenario, &map, document)?;
         Ok(Self { scenario, map, spawns, ground: OnceLock::new() })

@@ -6,7 +6,7 @@ use glam::Vec2;
 use twox_hash::XxHash64;
 
 use crate::{
-    config::{ConfigError, Course, Scenario, Source},
+    config::{ConfigError, Course, Site, Source},
     map::{FARTHEST_M, MOST_WALLS, Map, MapError},
 };
 
@@ -33,13 +33,9 @@ pub struct About {
 }
 
 impl About {
-    pub(super) fn of(course: &Course, seed: u64) -> Result<Self, toml::ser::Error> {
-        Ok(Self {
-            scenario: course.scenario.to_toml()?,
-            seed,
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            map_offset_m: course.map.offset_m(),
-        })
+    pub(super) fn of(scenario: String, map: &Map, seed: u64) -> Self {
+        let version = env!("CARGO_PKG_VERSION").to_owned();
+        Self { scenario, seed, version, map_offset_m: map.offset_m() }
     }
 
     /// The entries of the metadata record. No checksum of MCAP covers it in a file that was cut short, so it
@@ -95,12 +91,14 @@ impl About {
         Course::read_in(&self.source(label), walls.with_offset_m(self.map_offset_m))
     }
 
-    /// The scenario that was flown; `label` names the recording in messages.
-    ///
-    /// # Errors
-    /// Those of [`Scenario::parse`], for a recording of another version.
-    pub fn parse(&self, label: &str) -> Result<Scenario, ConfigError> {
-        Scenario::parse(&self.source(label), &[])
+    /// The site that was explored, in the walls that were recorded.
+    pub(super) fn site(&self, label: &str, walls: Map) -> Result<Site, ConfigError> {
+        Site::read_in(&self.source(label), walls.with_offset_m(self.map_offset_m))
+    }
+
+    /// Whether it is of an exploration, and not of a chain.
+    pub fn is_exploration(&self) -> bool {
+        self.scenario.parse::<toml::Table>().is_ok_and(|scenario| scenario.contains_key("explore"))
     }
 
     /// Every value in which two recordings' scenarios, seeds or versions differ: its key, here, there; `None`

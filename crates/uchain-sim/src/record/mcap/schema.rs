@@ -44,6 +44,7 @@ fn field(label: Label, kind: &str, name: &str, number: &str) -> Option<FieldDesc
     let kind = match kind {
         "bool" => Type::Bool,
         "float" => Type::Float,
+        "double" => Type::Double,
         "uint32" => Type::Uint32,
         "uint64" => Type::Uint64,
         _ => return None,
@@ -66,8 +67,8 @@ mod tests {
         let set = FileDescriptorSet::decode(descriptors().as_slice()).unwrap();
         let counts: Vec<(&str, usize)> =
             set.file[0].message_type.iter().map(|message| (message.name(), message.field.len())).collect();
-        assert_eq!(counts, [("Frame", 16), ("Metrics", 7)]);
+        assert_eq!(counts, [("Frame", 16), ("Metrics", 7), ("ExploreFrame", 29), ("ExploreMetrics", 8)]);
         let written = PROTO.lines().filter(|line| line.starts_with("  ") && line.contains(" = ")).count();
-        assert_eq!(written, 16 + 7);
+        assert_eq!(written, 16 + 7 + 29 + 8);
     }
 }

@@ -13,19 +13,23 @@ fn course(name: &str, sets: &[&str]) -> Course {
     Course::read(&builtin(name).unwrap(), &sets).unwrap()
 }
 
+fn about_of(course: &Course, seed: u64) -> About {
+    About::of(course.scenario.to_toml().unwrap(), &course.map, seed)
+}
+
 /// All frames of a run.
 #[derive(Default)]
-struct All(Vec<Frame>);
+struct All<F = Frame>(Vec<F>);
 
-impl Recorder for All {
-    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+impl<F: Clone> Recorder<F> for All<F> {
+    fn frame(&mut self, frame: &F) -> Result<(), RecordError> {
         self.0.push(frame.clone());
         Ok(())
     }
 }
 
 fn recorded(course: &Course, seed: u64) -> (Vec<u8>, Vec<Frame>) {
-    let mut both = (McapRecorder::start(Vec::new(), course, seed).unwrap(), All::default());
+    let mut both = (McapRecorder::start(Vec::new(), course, seed).unwrap(), All(Vec::new()));
     run(course, seed, &mut both).unwrap();
     (both.0.finish().unwrap(), both.1.0)
 }
@@ -36,7 +40,7 @@ fn every_frame_comes_back_as_it_was() {
     let (file, frames) = recorded(&course, 3);
     assert!(frames.iter().any(|frame| frame.links.len() > 1), "a chain, or little is tested");
     let mut recording = Recording::read(file.as_slice(), "memory").unwrap();
-    let mut read = All::default();
+    let mut read = All(Vec::new());
     recording.frames.play(&mut read).unwrap();
     assert_eq!(read.0, frames);
     assert_eq!(recording.frames.end(), Some(End::Whole));
@@ -49,7 +53,7 @@ fn the_scenario_in_a_recording_is_the_whole_scenario() {
     for name in builtin_names().iter().filter(|name| !["stata", "apartment", "corridors"].contains(name)) {
         for sets in [&[][..], &presets[..1], &presets[1..]] {
             let mut asked = Course::read(&builtin(name).unwrap(), sets).unwrap();
-            let about = About::of(&asked, 1).unwrap();
+            let about = about_of(&asked, 1);
             let map = about::walls_from_csv(about::walls_to_csv(&asked.map).as_bytes()).unwrap();
             assert_eq!(map.walls(), asked.map.walls());
             let again = about.course("memory", map).unwrap();
@@ -63,7 +67,7 @@ fn the_scenario_in_a_recording_is_the_whole_scenario() {
 
 #[test]
 fn one_letter_of_the_metadata_that_changed_is_noticed() {
-    let about = About::of(&course("bend", &[]), u64::MAX).unwrap();
+    let about = about_of(&course("bend", &[]), u64::MAX);
     let entries = about.entries();
     assert_eq!(About::from_entries(entries.clone()).unwrap(), about);
     let changed = |key: &str, value: &str| {
@@ -89,7 +93,7 @@ fn walls_that_are_no_walls_are_refused_by_line() {
 
 #[test]
 fn scenarios_are_told_apart_key_by_key() {
-    let about = |sets: &[&str], seed| About::of(&course("bend", sets), seed).unwrap();
+    let about = |sets: &[&str], seed| about_of(&course("bend", sets), seed);
     let (here, there) = (about(&[], 1), about(&["chain.uavs=3", "pilot.0.follow=left"], 2));
     assert_eq!(here.differences(&here), []);
     let some = |text: &str| Some(text.to_owned());
@@ -191,7 +195,7 @@ fn a_full_disk_ends_the_run_in_words_and_leaves_a_readable_file() {
             Err(error) => error.to_string(),
         };
         assert!(ended.starts_with("cannot write the recording: "), "{ended}");
-        let mut read = All::default();
+        let mut read = All(Vec::new());
         match Recording::read(disk.0.as_slice(), "memory") {
             Ok(mut recording) => {
                 recording.frames.play(&mut read).unwrap();

@@ -10,28 +10,28 @@ use super::{
 };
 use crate::record::{
     Frame,
-    mcap::{FRAME_TOPIC, TICK_NS, message::FrameMessage, schema},
+    mcap::{FRAME_TOPIC, Recordable, TICK_NS, schema},
 };
 
 /// The frames of a recording, in order.
-pub struct Frames<R> {
+pub struct Frames<R, F: Recordable = Frame> {
     records: Records<R>,
     /// Schema and channel of the frames, once they have been declared.
     schema: Option<u16>,
     channel: Option<u16>,
-    message: FrameMessage,
-    uavs: Option<usize>,
+    message: F::Message,
+    crew: Option<usize>,
     tick: u64,
     end: Option<End>,
 }
 
-impl<R> std::fmt::Debug for Frames<R> {
+impl<R, F: Recordable> std::fmt::Debug for Frames<R, F> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Frames").field("tick", &self.tick).field("end", &self.end).finish_non_exhaustive()
     }
 }
 
-impl<R> Frames<R> {
+impl<R, F: Recordable> Frames<R, F> {
     /// Tick of the last frame that was read; 0 = none.
     pub fn tick(&self) -> u64 {
         self.tick
@@ -42,22 +42,22 @@ impl<R> Frames<R> {
         self.end
     }
 
-    pub(super) fn expect_uavs(&mut self, uavs: usize) {
-        self.uavs = Some(uavs);
+    pub(super) fn expect_crew(&mut self, count: usize) {
+        self.crew = Some(count);
     }
 }
 
-impl<R: Read> Frames<R> {
+impl<R: Read, F: Recordable> Frames<R, F> {
     pub(super) fn new(records: Records<R>) -> Self {
-        let message = FrameMessage::default();
-        Self { records, schema: None, channel: None, message, uavs: None, tick: 0, end: None }
+        let message = F::Message::default();
+        Self { records, schema: None, channel: None, message, crew: None, tick: 0, end: None }
     }
 
     /// Reads the next frame into `frame`; `false` at the end, and after an error.
     ///
     /// # Errors
     /// [`ReadError`]: from here on the file is not what was written.
-    pub fn read(&mut self, frame: &mut Frame) -> Result<bool, ReadError> {
+    pub fn read(&mut self, frame: &mut F) -> Result<bool, ReadError> {
         if self.end.is_some() {
             return Ok(false);
         }
@@ -68,11 +68,12 @@ impl<R: Read> Frames<R> {
         read
     }
 
-    fn next(&mut self, frame: &mut Frame) -> Result<bool, ReadError> {
+    fn next(&mut self, frame: &mut F) -> Result<bool, ReadError> {
         loop {
             match self.records.next()? {
                 Item::Schema { id, name } => {
-                    if name.strip_prefix(schema::PACKAGE) == Some(".Frame") {
+                    let own = name.strip_prefix(schema::PACKAGE).and_then(|name| name.strip_prefix('.'));
+                    if own == Some(F::MESSAGE) {
                         self.schema = Some(id);
                     }
                 }
@@ -88,10 +89,12 @@ impl<R: Read> Frames<R> {
                     let refuse = |why| ReadError::Frame { tick: self.tick, why };
                     self.message.clear();
                     self.message.merge(data).map_err(|error| refuse(error.to_string()))?;
-                    self.message.pour(frame).map_err(refuse)?;
-                    let next = (self.tick + 1, *self.uavs.get_or_insert(frame.uavs.len()));
-                    check(frame, time_ns, next).map_err(|why| ReadError::Frame { tick: self.tick, why })?;
-                    self.tick = frame.tick;
+                    frame.take(&self.message).map_err(refuse)?;
+                    let found = frame.count();
+                    let next = (self.tick + 1, *self.crew.get_or_insert(found.1));
+                    let checked = check(found, time_ns, next, F::CREW);
+                    checked.map_err(|why| ReadError::Frame { tick: self.tick, why })?;
+                    self.tick = found.0;
                     return Ok(true);
                 }
                 Item::End(end) => {
@@ -107,11 +110,10 @@ impl<R: Read> Frames<R> {
     }
 }
 
-/// A frame is the next one, of as many UAVs, at its time.
-fn check(frame: &Frame, time_ns: u64, (tick, uavs): (u64, usize)) -> Result<(), String> {
-    let found = (frame.tick, frame.uavs.len());
-    if found != (tick, uavs) {
-        return Err(format!("tick {} with {} UAVs: expected tick {tick} with {uavs}", found.0, found.1));
+/// A frame is the next one, of as many UAVs or robots, at its time.
+fn check(found: (u64, usize), time_ns: u64, (tick, count): (u64, usize), crew: &str) -> Result<(), String> {
+    if found != (tick, count) {
+        return Err(format!("tick {} with {} {crew}: expected tick {tick} with {count}", found.0, found.1));
     }
     if Some(time_ns) != tick.checked_mul(TICK_NS) {
         return Err(format!("log_time = {time_ns}: expected {tick} ticks of {TICK_NS} ns"));

@@ -17,10 +17,13 @@ pub use records::End;
 
 use super::about::{self, About};
 use crate::{
-    analyse::{Digest, Metrics, Summary},
-    config::Course,
+    analyse::{
+        Digest, Metrics, Summary,
+        explore::{ExploreMetrics, ExploreSummary, Survey},
+    },
+    config::{Course, Site},
     map::Map,
-    record::{Frame, RecordError, Recorder},
+    record::{ExploreFrame, Frame, RecordError, Recorder, mcap::Recordable},
 };
 use records::{Item, Records};
 
@@ -30,14 +33,23 @@ use records::{Item, Records};
 /// Nothing is believed unchecked: a damaged file is refused at the damage, and the frames before it are those that
 /// were written. A file that was cut short is read to its last whole chunk; [`Frames::end`] tells.
 #[derive(Debug)]
-pub struct Recording<R> {
+pub struct Recording<R, F: Recordable = Frame> {
     /// What it is of.
     pub about: About,
     /// The walls that were recorded.
     pub walls: Map,
     /// The frames that have not been read yet.
-    pub frames: Frames<R>,
+    pub frames: Frames<R, F>,
     label: String,
+}
+
+/// A recording of either kind.
+#[derive(Debug)]
+pub enum AnyRecording<R> {
+    /// Of a chain.
+    Chain(Box<Recording<R>>),
+    /// Of an exploration.
+    Explore(Box<Recording<R, ExploreFrame>>),
 }
 
 /// Why a recording was not played to its end.
@@ -51,7 +63,7 @@ pub enum PlayError {
     Record(#[from] RecordError),
 }
 
-impl Recording<BufReader<File>> {
+impl AnyRecording<BufReader<File>> {
     /// Opens a file; messages call it by its path.
     ///
     /// # Errors
@@ -61,7 +73,7 @@ impl Recording<BufReader<File>> {
     }
 }
 
-impl<R: Read> Recording<R> {
+impl<R: Read> AnyRecording<R> {
     /// Begins to read; `label` names the recording in messages about its scenario.
     ///
     /// # Errors
@@ -69,7 +81,42 @@ impl<R: Read> Recording<R> {
     pub fn read(input: R, label: &str) -> Result<Self, ReadError> {
         let mut records = Records::new(input);
         let (about, walls) = beginning(&mut records)?;
-        Ok(Self { about, walls, frames: Frames::new(records), label: label.to_owned() })
+        Ok(if about.is_exploration() {
+            Self::Explore(Box::new(Recording::new(about, walls, records, label)))
+        } else {
+            Self::Chain(Box::new(Recording::new(about, walls, records, label)))
+        })
+    }
+}
+
+impl Recording<BufReader<File>> {
+    /// Opens a recording of a chain; messages call it by its path.
+    ///
+    /// # Errors
+    /// [`ReadError`].
+    pub fn open(path: &Path) -> Result<Self, ReadError> {
+        Self::read(BufReader::new(File::open(path)?), &path.display().to_string())
+    }
+}
+
+impl<R: Read, F: Recordable> Recording<R, F> {
+    fn new(about: About, walls: Map, records: Records<R>, label: &str) -> Self {
+        Self { about, walls, frames: Frames::new(records), label: label.to_owned() }
+    }
+}
+
+impl<R: Read> Recording<R> {
+    /// Begins to read a recording of a chain; `label` names it in messages about its scenario.
+    ///
+    /// # Errors
+    /// [`ReadError`]: no MCAP file, not ours, damaged where it begins, or of an exploration.
+    pub fn read(input: R, label: &str) -> Result<Self, ReadError> {
+        match AnyRecording::read(input, label)? {
+            AnyRecording::Chain(recording) => Ok(*recording),
+            AnyRecording::Explore(_) => {
+                Err(ReadError::OtherKind { expected: "a chain", found: "an exploration" })
+            }
+        }
     }
 
     /// The course that was flown, in the walls that were recorded; map files are not read. Frames with another number
@@ -79,7 +126,7 @@ impl<R: Read> Recording<R> {
     /// [`ReadError::Scenario`]: a scenario that this version cannot fly.
     pub fn course(&mut self) -> Result<Course, ReadError> {
         let course = self.about.course(&self.label, self.walls.clone()).map_err(Box::new)?;
-        self.frames.expect_uavs(course.spawns.len());
+        self.frames.expect_crew(course.spawns.len());
         Ok(course)
     }
 
@@ -95,13 +142,54 @@ impl<R: Read> Recording<R> {
     }
 }
 
-impl<R: Read> Frames<R> {
+impl<R: Read> Recording<R, ExploreFrame> {
+    /// Begins to read a recording of an exploration; `label` names it in messages about its scenario.
+    ///
+    /// # Errors
+    /// [`ReadError`]: no MCAP file, not ours, damaged where it begins, or of a chain.
+    pub fn read_exploration(input: R, label: &str) -> Result<Self, ReadError> {
+        match AnyRecording::read(input, label)? {
+            AnyRecording::Explore(recording) => Ok(*recording),
+            AnyRecording::Chain(_) => {
+                Err(ReadError::OtherKind { expected: "an exploration", found: "a chain" })
+            }
+        }
+    }
+
+    /// The site that was explored, in the walls that were recorded; map files are not read. Frames with another number
+    /// of robots are refused from here on.
+    ///
+    /// # Errors
+    /// [`ReadError::Scenario`]: a scenario that this version cannot fly.
+    pub fn site(&mut self) -> Result<Site, ReadError> {
+        let site = self.about.site(&self.label, self.walls.clone()).map_err(Box::new)?;
+        self.frames.expect_crew(site.spawns.len());
+        Ok(site)
+    }
+
+    /// Plays what is left of the exploration and sums it up; `site` is its own. Of a whole one that is the summary the
+    /// run itself came to.
+    ///
+    /// # Errors
+    /// [`PlayError`].
+    pub fn summary(
+        &mut self,
+        site: &Site,
+        recorder: &mut impl Recorder<ExploreFrame>,
+    ) -> Result<(ExploreSummary, Survey), PlayError> {
+        let (mut metrics, mut digest) = (ExploreMetrics::new(site), Digest::default());
+        self.frames.play(&mut ((&mut metrics, &mut digest), recorder))?;
+        Ok(metrics.finish(self.about.seed, digest.hex()))
+    }
+}
+
+impl<R: Read, F: Recordable> Frames<R, F> {
     /// Shows a recorder what is left of the run, as the run itself did.
     ///
     /// # Errors
     /// [`PlayError`].
-    pub fn play(&mut self, recorder: &mut impl Recorder) -> Result<(), PlayError> {
-        let mut frame = Frame::default();
+    pub fn play(&mut self, recorder: &mut impl Recorder<F>) -> Result<(), PlayError> {
+        let mut frame = F::default();
         while self.read(&mut frame)? {
             recorder.frame(&frame)?;
         }

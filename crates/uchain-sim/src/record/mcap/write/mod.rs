@@ -1,18 +1,21 @@
 //! Writes a recording while a run flies.
 
 mod events;
+mod explore;
 mod out;
 mod poses;
 mod scans;
 mod scene;
 
-use std::{borrow::Cow, io::Write};
+use std::io::Write;
 
 use foxglove::messages::{FrameTransforms, LaserScan, Log, PointCloud, PosesInFrame, SceneUpdate};
 
+pub use explore::ExploreRecorder;
+
 use super::{
     FRAME_TOPIC,
-    about::{self, About},
+    about::About,
     message::{FrameMessage, MetricsMessage},
 };
 use crate::{
@@ -81,10 +84,8 @@ impl<W: Write> McapRecorder<W> {
     /// # Errors
     /// [`RecordError::Io`].
     pub fn start(to: W, course: &Course, seed: u64) -> Result<Self, RecordError> {
-        let about = About::of(course, seed).map_err(std::io::Error::other)?;
-        let mut out = Out::new(to)?;
-        out.metadata(about::METADATA, about.entries())?;
-        out.attachment(about::WALLS, "text/csv", Cow::Owned(about::walls_to_csv(&course.map).into_bytes()))?;
+        let scenario = course.scenario.to_toml().map_err(std::io::Error::other)?;
+        let mut out = Out::begin(to, &About::of(scenario, &course.map, seed), &course.map)?;
         let channels = Channels {
             frame: out.own_channel(FRAME_TOPIC, "Frame")?,
             metrics: out.own_channel("/metrics", "Metrics")?,
@@ -111,7 +112,7 @@ impl<W: Write> McapRecorder<W> {
             links: Links::new(course),
             events: Events::new(course),
         };
-        recorder.out.send(map, 0, &scene::map(course))?;
+        recorder.out.send(map, 0, &scene::map(&course.map, Some(course.base)))?;
         recorder.out.send(recorder.channels.transforms, 0, &poses::at_start(course))?;
         recorder.out.send(recorder.channels.bodies, 0, recorder.bodies.all())?;
         recorder.out.flush()?;

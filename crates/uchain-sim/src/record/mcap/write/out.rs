@@ -14,9 +14,16 @@ use mcap::{
 };
 use prost::Message;
 
-use crate::record::{
-    RecordError,
-    mcap::{TICK_NS, schema},
+use crate::{
+    map::Map,
+    record::{
+        RecordError,
+        mcap::{
+            TICK_NS,
+            about::{self, About},
+            schema,
+        },
+    },
 };
 
 /// Target size of a chunk (bytes): what a run that is killed may lose.
@@ -37,7 +44,15 @@ pub(super) struct Out<W: Write> {
 }
 
 impl<W: Write> Out<W> {
-    pub(super) fn new(to: W) -> Result<Self, RecordError> {
+    /// What a recording is of, and the walls.
+    pub(super) fn begin(to: W, about: &About, map: &Map) -> Result<Self, RecordError> {
+        let mut out = Self::new(to)?;
+        out.metadata(about::METADATA, about.entries())?;
+        out.attachment(about::WALLS, "text/csv", Cow::Owned(about::walls_to_csv(map).into_bytes()))?;
+        Ok(out)
+    }
+
+    fn new(to: W) -> Result<Self, RecordError> {
         let options = WriteOptions::new()
             .library(concat!("uchain ", env!("CARGO_PKG_VERSION")))
             .compression(None)
@@ -47,20 +62,11 @@ impl<W: Write> Out<W> {
         Ok(Self { writer, sequence: 0, buffer: Vec::new(), own_schemas: schema::descriptors() })
     }
 
-    pub(super) fn metadata(
-        &mut self,
-        name: &str,
-        metadata: BTreeMap<String, String>,
-    ) -> Result<(), RecordError> {
+    fn metadata(&mut self, name: &str, metadata: BTreeMap<String, String>) -> Result<(), RecordError> {
         self.writer.write_metadata(&Metadata { name: name.to_owned(), metadata }).map_err(plain)
     }
 
-    pub(super) fn attachment(
-        &mut self,
-        name: &str,
-        media_type: &str,
-        data: Cow<'_, [u8]>,
-    ) -> Result<(), RecordError> {
+    fn attachment(&mut self, name: &str, media_type: &str, data: Cow<'_, [u8]>) -> Result<(), RecordError> {
         let (name, media_type) = (name.to_owned(), media_type.to_owned());
         self.writer.attach(&Attachment { log_time: 0, create_time: 0, name, media_type, data }).map_err(plain)
     }

@@ -30,7 +30,7 @@ pub(super) fn rotation(heading_rad: f32) -> Quaternion {
     Quaternion { x: 0.0, y: 0.0, z, w }
 }
 
-fn transform(parent: &str, child: String, [x, y]: [f64; 2], heading_rad: f32) -> FrameTransform {
+pub(super) fn transform(parent: &str, child: String, [x, y]: [f64; 2], heading_rad: f32) -> FrameTransform {
     FrameTransform {
         timestamp: Some(time(0)),
         parent_frame_id: parent.to_owned(),

@@ -7,7 +7,11 @@ use foxglove::messages::{
 use glam::Vec2;
 
 use super::poses::{MAP, body, rotation, time};
-use crate::{config::Course, map::Segment, record::Frame};
+use crate::{
+    config::Course,
+    map::{Map, Segment},
+    record::Frame,
+};
 
 /// Height of a UAV's body (m).
 const BODY_M: f64 = 0.04;
@@ -23,21 +27,21 @@ const HEAD: Color = Color { r: 0.95, g: 0.55, b: 0.1, a: 1.0 };
 const RELAY: Color = Color { r: 0.2, g: 0.55, b: 0.95, a: 1.0 };
 const GROUNDED: Color = Color { r: 0.5, g: 0.5, b: 0.5, a: 0.6 };
 
-fn entity(id: &str, frame_id: String) -> SceneEntity {
+pub(super) fn entity(id: &str, frame_id: String) -> SceneEntity {
     SceneEntity { timestamp: Some(time(0)), frame_id, id: id.to_owned(), ..SceneEntity::default() }
 }
 
-fn pose(at: Vec2) -> Pose {
+pub(super) fn pose(at: Vec2) -> Pose {
     let position = Some(Vector3 { x: at.x.into(), y: at.y.into(), z: 0.0 });
     Pose { position, orientation: Some(rotation(0.0)) }
 }
 
-fn point(at: Vec2) -> Point3 {
+pub(super) fn point(at: Vec2) -> Point3 {
     Point3 { x: at.x.into(), y: at.y.into(), z: 0.0 }
 }
 
-/// `/map`: the walls and the base station.
-pub(super) fn map(course: &Course) -> SceneUpdate {
+/// `/map`: the walls, and the base station if there is one.
+pub(super) fn map(map: &Map, base: Option<Vec2>) -> SceneUpdate {
     let outline = |walls: &[Segment]| LinePrimitive {
         r#type: Type::LineLoop.into(),
         pose: Some(pose(Vec2::ZERO)),
@@ -47,15 +51,14 @@ pub(super) fn map(course: &Course) -> SceneUpdate {
         color: Some(WALL),
         ..LinePrimitive::default()
     };
-    let cube = CubePrimitive {
-        pose: Some(pose(course.base)),
+    let walls = SceneEntity { lines: map.loops().map(outline).collect(), ..entity("walls", MAP.to_owned()) };
+    let base = base.map(|at| CubePrimitive {
+        pose: Some(pose(at)),
         size: Some(Vector3 { x: BASE_M, y: BASE_M, z: BASE_M }),
         color: Some(BASE),
-    };
-    let walls =
-        SceneEntity { lines: course.map.loops().map(outline).collect(), ..entity("walls", MAP.to_owned()) };
-    let base = SceneEntity { cubes: vec![cube], ..entity("base", MAP.to_owned()) };
-    SceneUpdate { deletions: Vec::new(), entities: vec![walls, base] }
+    });
+    let base = base.map(|cube| SceneEntity { cubes: vec![cube], ..entity("base", MAP.to_owned()) });
+    SceneUpdate { deletions: Vec::new(), entities: std::iter::once(walls).chain(base).collect() }
 }
 
 /// `/uavs`: a disc and an arrow per UAV, in the UAV's own frame; `/tf` moves them.
@@ -67,28 +70,7 @@ pub(super) struct Bodies {
 
 impl Bodies {
     pub(super) fn new(course: &Course) -> Self {
-        let radius_m = f64::from(course.scenario.motion.radius_m);
-        let disc = CylinderPrimitive {
-            pose: Some(pose(Vec2::ZERO)),
-            size: Some(Vector3 { x: 2.0 * radius_m, y: 2.0 * radius_m, z: BODY_M }),
-            bottom_scale: 1.0,
-            top_scale: 1.0,
-            color: Some(GROUNDED),
-        };
-        let arrow = ArrowPrimitive {
-            pose: Some(pose(Vec2::ZERO)),
-            shaft_length: 1.5 * radius_m,
-            shaft_diameter: 0.2 * radius_m,
-            head_length: 0.8 * radius_m,
-            head_diameter: 0.6 * radius_m,
-            color: Some(GROUNDED),
-        };
-        let uav = |uav: usize| SceneEntity {
-            frame_locked: true,
-            cylinders: vec![disc],
-            arrows: vec![arrow],
-            ..entity(&body(uav), body(uav))
-        };
+        let uav = |uav: usize| disc_and_arrow(body(uav), course.scenario.motion.radius_m, GROUNDED);
         let uavs = course.spawns.len();
         let all = SceneUpdate { deletions: Vec::new(), entities: (0..uavs).map(uav).collect() };
         Self { all, changed: SceneUpdate::default(), airborne: vec![false; uavs] }
@@ -120,6 +102,28 @@ impl Bodies {
         }
         (!self.changed.entities.is_empty()).then_some(&self.changed)
     }
+}
+
+/// A body in its own frame.
+pub(super) fn disc_and_arrow(frame_id: String, radius_m: f32, color: Color) -> SceneEntity {
+    let radius_m = f64::from(radius_m);
+    let disc = CylinderPrimitive {
+        pose: Some(pose(Vec2::ZERO)),
+        size: Some(Vector3 { x: 2.0 * radius_m, y: 2.0 * radius_m, z: BODY_M }),
+        bottom_scale: 1.0,
+        top_scale: 1.0,
+        color: Some(color),
+    };
+    let arrow = ArrowPrimitive {
+        pose: Some(pose(Vec2::ZERO)),
+        shaft_length: 1.5 * radius_m,
+        shaft_diameter: 0.2 * radius_m,
+        head_length: 0.8 * radius_m,
+        head_diameter: 0.6 * radius_m,
+        color: Some(color),
+    };
+    let id = frame_id.clone();
+    SceneEntity { frame_locked: true, cylinders: vec![disc], arrows: vec![arrow], ..entity(&id, frame_id) }
 }
 
 /// `/links`: a line per link of the flying chain.

@@ -1,5 +1,9 @@
 //! A run's summary, for programs and for people.
 
+mod explore;
+
+pub(crate) use explore::ExploreReport;
+
 use std::fmt::Write as _;
 
 use serde::Serialize;

@@ -1,5 +1,7 @@
 //! `uchain run`: read, fly and record, draw, write, say.
 
+mod explore;
+
 use uchain_sim::{
     analyse::Summary,
     config::{Course, Mission, Source},
@@ -8,12 +10,13 @@ use uchain_sim::{
     run::{RunError, run, total_ticks},
 };
 
+use explore::explore;
+
 use crate::{
     args::Run,
     exit::Failure,
-    explore::explore,
     output::{Names, RUN},
-    recording::Tape,
+    recording::{self, Tape},
     report::Report,
     watch::{Watch, interrupted, listen_for_interrupt},
 };
@@ -32,15 +35,10 @@ fn chain(asked: &Run, course: &Course) -> Result<(), Failure> {
     let ticks = total_ticks(course.scenario.duration_s);
     let mut watch = Watch::new(course.spawns.len(), ticks, asked.say.progress());
     let names = Names { recording: RUN.recording.filter(|_| asked.recording.wanted()), ..RUN };
-    let tape = names.recording.map(|name| Tape::begin(&folder, name, course, asked.seed));
+    let tape = names.recording.map(|name| Tape::of_chain(&folder, name, course, asked.seed));
     let mut tape = tape.transpose()?;
     let flown = timed(course, asked.seed, &mut (&mut watch, &mut tape));
-    let (summary, wall_s) = match (flown, tape) {
-        (Ok(flown), Some(tape)) => tape.end().map(|()| flown)?,
-        (Ok(flown), None) => flown,
-        (Err(error), Some(tape)) => return Err(tape.cut(error)),
-        (Err(error), None) => return Err(error.into()),
-    };
+    let (summary, wall_s) = recording::end(flown, tape)?;
     let picture = draw::run_png(course, &watch.into_history(), &summary)?;
     let report = Report::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));
     let json = report.json()?;

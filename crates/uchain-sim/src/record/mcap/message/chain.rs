@@ -1,19 +1,17 @@
-//! Our own messages, as `uchain.proto` has them, and the way from a [`Frame`] to one and back, bit for bit.
+//! Messages of a chain.
 
 use uchain_core::chain::Tof;
 
+use super::{alike, bounded, few, set};
 use crate::{
     config::UAVS_MAX,
     map::FARTHEST_M,
     record::{Frame, LinkFrame, Moment, UavFrame},
 };
 
-/// Most contacts of one UAV: two a tick, all day long. Those of all UAVs can be added up.
-const MOST_CONTACTS: u32 = 4_000_000;
-
 /// `uchain.Frame`. Stands for one frame after the other, so that its lists are allocated once.
 #[derive(Clone, PartialEq, prost::Message)]
-pub(super) struct FrameMessage {
+pub struct FrameMessage {
     #[prost(uint64, tag = "1")]
     tick: u64,
     #[prost(bool, tag = "2")]
@@ -50,7 +48,7 @@ pub(super) struct FrameMessage {
 
 /// `uchain.Metrics`.
 #[derive(Clone, Copy, PartialEq, prost::Message)]
-pub(super) struct MetricsMessage {
+pub(in super::super) struct MetricsMessage {
     #[prost(uint32, tag = "1")]
     uavs: u32,
     #[prost(float, tag = "2")]
@@ -81,15 +79,9 @@ impl From<Moment> for MetricsMessage {
     }
 }
 
-/// Replaces what a list holds.
-fn set<T>(list: &mut Vec<T>, values: impl Iterator<Item = T>) {
-    list.clear();
-    list.extend(values);
-}
-
 impl FrameMessage {
     /// Takes a frame's values.
-    pub(super) fn fill(&mut self, frame: &Frame) {
+    pub(in super::super) fn fill(&mut self, frame: &Frame) {
         let Frame { tick, decision, uavs, links, head_reach_m } = frame;
         (self.tick, self.decision, self.head_reach_m) = (*tick, *decision, *head_reach_m);
         set(&mut self.x_m, uavs.iter().map(|uav| uav.x_m));
@@ -111,10 +103,6 @@ impl FrameMessage {
         set(&mut self.link_filtered_db, links.iter().map(|link| link.filtered_db.unwrap_or(f32::NAN)));
     }
 
-    /// Writes the values into a frame.
-    ///
-    /// # Errors
-    /// In words: lists of unlike length, a number outside of what a simulation can come to.
     pub(super) fn pour(&self, frame: &mut Frame) -> Result<(), String> {
         self.check()?;
         (frame.tick, frame.decision, frame.head_reach_m) = (self.tick, self.decision, self.head_reach_m);
@@ -183,45 +171,28 @@ impl FrameMessage {
         self.numbers()
     }
 
-    /// Walls lie within [`FARTHEST_M`], and nothing else in a run is larger.
     fn numbers(&self) -> Result<(), String> {
-        let lists = [
-            ("x_m", &self.x_m[..]),
+        bounded(&[
+            ("x_m", &self.x_m),
             ("y_m", &self.y_m),
             ("heading_rad", &self.heading_rad),
             ("forward_mps", &self.forward_mps),
             ("lateral_mps", &self.lateral_mps),
             ("yaw_rate_radps", &self.yaw_rate_radps),
             ("link_true_db", &self.link_true_db),
-        ];
-        let most = 10.0 * FARTHEST_M;
-        for (name, list) in lists {
-            if let Some(value) = list.iter().find(|value| value.is_nan() || value.abs() > most) {
-                return Err(format!("{name} = {value}: expected a number within ±{most}"));
-            }
-        }
+        ])?;
         // NaN stands for none.
+        let most = 10.0 * FARTHEST_M;
         for (name, list) in [("tof_m", &self.tof_m), ("link_filtered_db", &self.link_filtered_db)] {
             if let Some(value) = list.iter().find(|value| value.abs() > most) {
                 return Err(format!("{name} = {value}: expected a number within ±{most}"));
             }
         }
-        for (name, list) in [("wall_contacts", &self.wall_contacts), ("uav_contacts", &self.uav_contacts)] {
-            if let Some(count) = list.iter().find(|count| **count > MOST_CONTACTS) {
-                return Err(format!("{name} = {count}: expected at most {MOST_CONTACTS}"));
-            }
-        }
+        few(&[("wall_contacts", &self.wall_contacts), ("uav_contacts", &self.uav_contacts)])?;
         let reach_m = self.head_reach_m;
         if !(0.0..=1e9).contains(&reach_m) {
             return Err(format!("head_reach_m = {reach_m}: expected a length"));
         }
         Ok(())
-    }
-}
-
-fn alike(wanted: usize, of: &str, lengths: &[(&str, usize)]) -> Result<(), String> {
-    match lengths.iter().find(|(_, length)| *length != wanted) {
-        Some((name, length)) => Err(format!("{name} has {length} entries: expected {wanted}, as {of} has")),
-        None => Ok(()),
     }
 }

@@ -1,12 +1,17 @@
 //! `uchain inspect`: read, sum up, draw, say.
 
-use std::fmt::Write as _;
+mod explore;
+
+use std::{fmt::Write as _, io::Read};
 
 use serde::Serialize;
 use uchain_sim::{
     analyse::Timeline,
     draw,
-    record::{Moment, mcap::End},
+    record::{
+        Moment,
+        mcap::{AnyRecording, End, Recording},
+    },
     run::total_ticks,
 };
 
@@ -32,8 +37,14 @@ struct Inspected<'a> {
 }
 
 pub(crate) fn inspect(asked: &Inspect) -> Result<(), Failure> {
+    match open(&asked.file)? {
+        AnyRecording::Chain(recording) => chain(asked, *recording),
+        AnyRecording::Explore(recording) => explore::inspect(asked, *recording),
+    }
+}
+
+fn chain(asked: &Inspect, mut recording: Recording<impl Read>) -> Result<(), Failure> {
     let folder = asked.out.chosen()?;
-    let mut recording = open(&asked.file)?;
     let refused = |cause| Failure::Recording { file: asked.file.clone(), cause };
     let course = recording.course().map_err(refused)?;
     let of_ticks = total_ticks(course.scenario.duration_s);
@@ -60,10 +71,13 @@ pub(crate) fn inspect(asked: &Inspect) -> Result<(), Failure> {
         folder.write(&INSPECT, json.as_bytes(), &picture, &[])?;
         files = folder.says(&INSPECT);
     }
-    let cut = if whole { "" } else { "; the file is cut short, and read up to its last whole chunk" };
     asked.say.result(&json, || {
-        format!("flown by uchain {version}{cut}\n{}{}", report().text(&files), table(&moments))
+        format!("flown by uchain {version}{}\n{}{}", cut(whole), report().text(&files), table(&moments))
     })
+}
+
+fn cut(whole: bool) -> &'static str {
+    if whole { "" } else { "; the file is cut short, and read up to its last whole chunk" }
 }
 
 fn table(moments: &[Moment]) -> String {
@@ -90,9 +104,9 @@ fn table(moments: &[Moment]) -> String {
 }
 
 /// Evenly spaced, the last one included.
-fn thinned(moments: &[Moment]) -> Vec<&Moment> {
+fn thinned<M>(moments: &[M]) -> Vec<&M> {
     let step = moments.len().div_ceil(ROWS).max(1);
-    let mut rows: Vec<&Moment> = moments.iter().rev().step_by(step).collect();
+    let mut rows: Vec<&M> = moments.iter().rev().step_by(step).collect();
     rows.reverse();
     rows
 }

@@ -1,8 +1,13 @@
 //! Two runs side by side: where they part, and how far.
 
+mod chain;
+mod explore;
+
 use std::{collections::BTreeMap, fmt};
 
-use crate::record::{Frame, LinkFrame, TICKS_PER_S, UavFrame};
+use uchain_core::explore::NodeId;
+
+use crate::record::TICKS_PER_S;
 
 /// Whose value it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -11,6 +16,10 @@ pub enum Whose {
     Uav(usize),
     /// The link's with this UAV at its front end.
     Link(usize),
+    /// A robot's.
+    Robot(usize),
+    /// A node's, new or with labels that changed.
+    Node(NodeId),
     /// The frame's own.
     Frame,
 }
@@ -20,6 +29,8 @@ impl fmt::Display for Whose {
         match self {
             Self::Uav(uav) => write!(f, "UAV {uav}, "),
             Self::Link(uav) => write!(f, "link of UAV {uav}, "),
+            Self::Robot(robot) => write!(f, "robot {robot}, "),
+            Self::Node(NodeId { robot, number }) => write!(f, "node {number} of robot {robot}, "),
             Self::Frame => Ok(()),
         }
     }
@@ -88,63 +99,31 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Every field in which two frames differ, in a fixed order: the frame's own, UAV by UAV, link by link.
-pub fn differences(here: &Frame, there: &Frame, mut found: impl FnMut(Difference)) {
-    let tick = here.tick;
-    let mut look = |whose, field, here: Value, there: Value| {
-        if here != there {
-            found(Difference { tick, whose, field, here, there });
-        }
-    };
-    let own = |frame: &Frame| {
-        [
-            ("tick", Value::Count(frame.tick)),
-            ("decision", Value::Flag(frame.decision)),
-            ("uavs", Value::Count(frame.uavs.len() as u64)),
-            ("links", Value::Count(frame.links.len() as u64)),
-            ("head_reach_m", Value::Number(frame.head_reach_m)),
-        ]
-    };
-    for ((field, a), (_, b)) in own(here).into_iter().zip(own(there)) {
-        look(Whose::Frame, field, a, b);
-    }
-    for (i, (a, b)) in here.uavs.iter().zip(&there.uavs).enumerate() {
-        for ((field, a), (_, b)) in uav(a).into_iter().zip(uav(b)) {
-            look(Whose::Uav(i), field, a, b);
-        }
-    }
-    for (a, b) in here.links.iter().zip(&there.links) {
-        for ((field, x), (_, y)) in link(a).into_iter().zip(link(b)) {
-            look(Whose::Link(a.uav), field, x, y);
-        }
-    }
+/// A frame that can be held against another one.
+pub trait Compare {
+    /// Every field in which two frames differ, in a fixed order: the frame's own, those that fly one by one, the rest.
+    fn differences(&self, there: &Self, found: &mut dyn FnMut(Difference));
 }
 
-fn uav(uav: &UavFrame) -> [(&'static str, Value); 13] {
-    let tof = uav.tof;
-    [
-        ("x_m", Value::Number(uav.x_m)),
-        ("y_m", Value::Number(uav.y_m)),
-        ("heading_rad", Value::Number(uav.heading_rad)),
-        ("forward_mps", Value::Number(uav.forward_mps)),
-        ("lateral_mps", Value::Number(uav.lateral_mps)),
-        ("yaw_rate_radps", Value::Number(uav.yaw_rate_radps)),
-        ("airborne", Value::Flag(uav.airborne)),
-        ("wall_contacts", Value::Count(uav.wall_contacts.into())),
-        ("uav_contacts", Value::Count(uav.uav_contacts.into())),
-        ("tof.nw_m", tof.map(|tof| tof.nw_m).into()),
-        ("tof.ne_m", tof.map(|tof| tof.ne_m).into()),
-        ("tof.sw_m", tof.map(|tof| tof.sw_m).into()),
-        ("tof.se_m", tof.map(|tof| tof.se_m).into()),
-    ]
+/// Tells the fields of two frames apart.
+pub(super) struct Look<'a> {
+    pub(super) tick: u64,
+    pub(super) found: &'a mut dyn FnMut(Difference),
 }
 
-fn link(link: &LinkFrame) -> [(&'static str, Value); 3] {
-    [
-        ("uav", Value::Count(link.uav as u64)),
-        ("true_db", Value::Number(link.true_db)),
-        ("filtered_db", link.filtered_db.into()),
-    ]
+impl Look<'_> {
+    pub(super) fn at<const N: usize>(
+        &mut self,
+        whose: Whose,
+        here: [(&'static str, Value); N],
+        there: [(&'static str, Value); N],
+    ) {
+        for ((field, here), (_, there)) in here.into_iter().zip(there) {
+            if here != there {
+                (self.found)(Difference { tick: self.tick, whose, field, here, there });
+            }
+        }
+    }
 }
 
 /// Two runs compared frame by frame.
@@ -163,10 +142,10 @@ pub struct Comparison {
 
 impl Comparison {
     /// Compares the next tick.
-    pub fn tick(&mut self, here: &Frame, there: &Frame) {
+    pub fn tick<F: Compare>(&mut self, here: &F, there: &F) {
         self.ticks += 1;
         let mut any = false;
-        differences(here, there, |found| {
+        here.differences(there, &mut |found| {
             any = true;
             self.first.get_or_insert(found);
             let largest = self.largest.entry(found.field).or_insert(found);

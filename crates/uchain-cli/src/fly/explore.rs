@@ -1,0 +1,90 @@
+//! `uchain run` for an exploration: explore, draw, write, say.
+
+use indicatif::{ProgressBar, ProgressDrawTarget};
+use uchain_sim::{
+    analyse::explore::{ExploreHistory, ExploreSummary, RosMap, Survey},
+    config::Site,
+    draw,
+    record::{ExploreFrame, RecordError, Recorder},
+    run::{RunError, explore as run},
+};
+
+use crate::{
+    args::Run,
+    exit::Failure,
+    output::{EXPLORE, Names},
+    recording::{self, Tape},
+    report::ExploreReport,
+    watch::{interrupted, listen_for_interrupt},
+};
+
+pub(crate) fn explore(asked: &Run, site: &Site) -> Result<(), Failure> {
+    let folder = asked.folder(&site.scenario.name)?;
+    listen_for_interrupt();
+    let names = Names { recording: EXPLORE.recording.filter(|_| asked.recording.wanted()), ..EXPLORE };
+    let tape = names.recording.map(|name| Tape::of_exploration(&folder, name, site, asked.seed));
+    let mut tape = tape.transpose()?;
+    let mut history = ExploreHistory::default();
+    let mut watch = Watch::new(site, asked.say.progress());
+    let flown = timed(site, asked.seed, &mut ((&mut history, &mut watch), &mut tape));
+    watch.end();
+    let ((summary, survey), wall_s) = recording::end(flown, tape)?;
+    let picture = draw::explore_png(site, &history, &survey, &summary)?;
+    let map = RosMap::explored(&site.map, site.ground(), &history.nodes, site.scenario.params.r_s_m);
+    let report = ExploreReport::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));
+    let json = report.json()?;
+    if interrupted() {
+        return Err(Failure::Interrupted);
+    }
+    folder.write(&names, json.as_bytes(), &picture, &[&map.pgm, map.yaml.as_bytes()])?;
+    asked.say.result(&json, || report.text(&folder.says(&names)))
+}
+
+/// Explores, and says how long that took (s).
+#[expect(clippy::disallowed_methods, reason = "wall_s is the one number that is about this computer")]
+fn timed(
+    site: &Site,
+    seed: u64,
+    recorder: &mut impl Recorder<ExploreFrame>,
+) -> Result<((ExploreSummary, Survey), f64), RunError> {
+    let start = std::time::Instant::now();
+    let explored = run(site, seed, recorder)?;
+    Ok((explored, start.elapsed().as_secs_f64()))
+}
+
+/// Looks for Ctrl-C, and shows how much is known.
+struct Watch {
+    bar: ProgressBar,
+    nodes: usize,
+}
+
+impl Watch {
+    fn new(site: &Site, show_progress: bool) -> Self {
+        let target = if show_progress { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+        // Nobody knows how long it takes.
+        let bar = ProgressBar::with_draw_target(None, target);
+        bar.set_message(format!("{} explores", site.scenario.name));
+        Self { bar, nodes: 0 }
+    }
+
+    fn end(self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Recorder<ExploreFrame> for Watch {
+    fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
+        if interrupted() {
+            self.bar.finish_and_clear();
+            return Err(RecordError::Interrupted { time_s: frame.time_s() });
+        }
+        if frame.decision && !self.bar.is_hidden() {
+            self.nodes += frame.nodes.len();
+            let (time_s, rounds, nodes, hubs) = (frame.time_s(), frame.rounds, self.nodes, frame.hubs);
+            let frontiers = format!("{nodes} nodes, {hubs} with a frontier");
+            self.bar.set_message(format!("{time_s:.0} s, round {rounds}: {frontiers}"));
+            self.bar.tick();
+        }
+        Ok(())
+    }
+}

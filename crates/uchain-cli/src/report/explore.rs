@@ -1,0 +1,96 @@
+//! The summary of an exploration, for programs and for people.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+use uchain_sim::analyse::explore::ExploreSummary;
+
+/// `summary.json` of an exploration, and what `--json` prints.
+#[derive(Debug, Serialize)]
+pub(crate) struct ExploreReport<'a> {
+    #[serde(flatten)]
+    summary: &'a ExploreSummary,
+    /// How long the computer explored (s); the only number here that differs from run to run. A recording does not
+    /// say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wall_s: Option<f64>,
+    /// Version of uchain that explored.
+    version: &'a str,
+}
+
+/// Most unseen pieces listed to people.
+const UNSEEN_SHOWN: usize = 5;
+
+impl<'a> ExploreReport<'a> {
+    pub(crate) fn new(summary: &'a ExploreSummary, wall_s: Option<f64>, version: &'a str) -> Self {
+        Self { summary, wall_s, version }
+    }
+
+    /// JSON with a newline at its end.
+    pub(crate) fn json(&self) -> Result<String, serde_json::Error> {
+        serde_json::to_string_pretty(self).map(|json| json + "\n")
+    }
+
+    /// A few aligned lines.
+    pub(crate) fn text(&self, files: &str) -> String {
+        let Self { summary, wall_s, .. } = self;
+        let wall = wall_s.map(|wall_s| format!(" in {wall_s:.2} s")).unwrap_or_default();
+        let mut text =
+            format!("{}, seed {}: {:.1} s simulated{wall}\n", summary.scenario, summary.seed, summary.sim_s);
+        let mut line = |name: &str, value: &str| {
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "  {name:<10} {value}");
+        };
+        let list = |numbers: &mut dyn Iterator<Item = String>| numbers.collect::<Vec<_>>().join(", ");
+        let metres = |m: &[f64]| list(&mut m.iter().map(|m| format!("{m:.1}")));
+        let counts = |n: &[u32]| list(&mut n.iter().map(u32::to_string));
+        line("outcome", &summary.outcome);
+        line(
+            "iterations",
+            &format!(
+                "{} rounds; moves {}; holds {}",
+                summary.iterations,
+                counts(&summary.moves),
+                counts(&summary.holds)
+            ),
+        );
+        let balance = format!("shortest {:.0} % of longest", 100.0 * summary.balance);
+        line("distance", &format!("{} m over ground, {balance}", metres(&summary.distance_m)));
+        line("", &format!("{} m with climbs", metres(&summary.distance_3d_m)));
+        line("levels", &format!("{:.1} s on other levels", summary.mfl_s));
+        let [t50, t90, t100] = [summary.coverage_t50_s, summary.coverage_t90_s, summary.coverage_t100_s];
+        line(
+            "seen",
+            &format!(
+                "{:.2} %; half of it by {t50:.0} s, 90 % by {t90:.0} s, all by {t100:.0} s",
+                100.0 * summary.coverage
+            ),
+        );
+        line("overlap", &format!("{:.1} % seen by more than one robot", 100.0 * summary.overlap));
+        for piece in summary.unseen.iter().take(UNSEEN_SHOWN) {
+            line("unseen", &format!("{:.3} m2 around ({:.2}, {:.2}) m", piece.area_m2, piece.x_m, piece.y_m));
+        }
+        if summary.unseen.len() > UNSEEN_SHOWN {
+            line("", &format!("… {:.3} m2 in all", summary.unseen_m2));
+        }
+        line(
+            "map",
+            &format!(
+                "{} nodes, {} edges, {} with a frontier left",
+                counts(&summary.nodes),
+                summary.edges,
+                summary.hubs_left
+            ),
+        );
+        line(
+            "contacts",
+            &format!(
+                "{} wall, {} robot; {} near passes between levels",
+                summary.wall_contacts, summary.robot_contacts, summary.level_passes
+            ),
+        );
+        line("digest", &summary.digest);
+        line("files", files);
+        text
+    }
+}

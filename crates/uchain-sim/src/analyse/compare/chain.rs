@@ -1,0 +1,54 @@
+//! Frames of a chain, field by field.
+
+use super::{Compare, Difference, Look, Value, Whose};
+use crate::record::{Frame, LinkFrame, UavFrame};
+
+impl Compare for Frame {
+    fn differences(&self, there: &Self, found: &mut dyn FnMut(Difference)) {
+        let mut look = Look { tick: self.tick, found };
+        look.at(Whose::Frame, own(self), own(there));
+        for (i, (a, b)) in self.uavs.iter().zip(&there.uavs).enumerate() {
+            look.at(Whose::Uav(i), uav(a), uav(b));
+        }
+        for (a, b) in self.links.iter().zip(&there.links) {
+            look.at(Whose::Link(a.uav), link(a), link(b));
+        }
+    }
+}
+
+fn own(frame: &Frame) -> [(&'static str, Value); 5] {
+    [
+        ("tick", Value::Count(frame.tick)),
+        ("decision", Value::Flag(frame.decision)),
+        ("uavs", Value::Count(frame.uavs.len() as u64)),
+        ("links", Value::Count(frame.links.len() as u64)),
+        ("head_reach_m", Value::Number(frame.head_reach_m)),
+    ]
+}
+
+fn uav(uav: &UavFrame) -> [(&'static str, Value); 13] {
+    let tof = uav.tof;
+    [
+        ("x_m", Value::Number(uav.x_m)),
+        ("y_m", Value::Number(uav.y_m)),
+        ("heading_rad", Value::Number(uav.heading_rad)),
+        ("forward_mps", Value::Number(uav.forward_mps)),
+        ("lateral_mps", Value::Number(uav.lateral_mps)),
+        ("yaw_rate_radps", Value::Number(uav.yaw_rate_radps)),
+        ("airborne", Value::Flag(uav.airborne)),
+        ("wall_contacts", Value::Count(uav.wall_contacts.into())),
+        ("uav_contacts", Value::Count(uav.uav_contacts.into())),
+        ("tof.nw_m", tof.map(|tof| tof.nw_m).into()),
+        ("tof.ne_m", tof.map(|tof| tof.ne_m).into()),
+        ("tof.sw_m", tof.map(|tof| tof.sw_m).into()),
+        ("tof.se_m", tof.map(|tof| tof.se_m).into()),
+    ]
+}
+
+fn link(link: &LinkFrame) -> [(&'static str, Value); 3] {
+    [
+        ("uav", Value::Count(link.uav as u64)),
+        ("true_db", Value::Number(link.true_db)),
+        ("filtered_db", link.filtered_db.into()),
+    ]
+}
