@@ -9,8 +9,6 @@ use super::{
     team::Team,
 };
 
-const STRATEGIES: [Strategy; 3] = [Strategy::Cssg, Strategy::CssgRandom, Strategy::Srg];
-
 fn by(strategy: Strategy) -> ExploreParams {
     ExploreParams { strategy, ..ExploreParams::default() }
 }
@@ -18,7 +16,7 @@ fn by(strategy: Strategy) -> ExploreParams {
 #[test]
 fn every_strategy_ends_with_no_frontier_left_and_all_robots_home() {
     let world = rooms();
-    for strategy in STRATEGIES {
+    for strategy in Strategy::ALL {
         for robots in 1..=3 {
             for seed in 0..30 {
                 let team = Team::new(&world, &by(strategy), robots, seed).run();
@@ -47,7 +45,7 @@ fn three_robots_need_about_as_many_rounds_for_an_apartment_as_published() {
 #[test]
 fn five_robots_see_all_of_an_apartment_and_of_corridors_whatever_the_strategy() {
     for world in [apartment(), corridors()] {
-        for strategy in STRATEGIES {
+        for strategy in Strategy::ALL {
             let team = Team::new(&world, &by(strategy), 5, 7).run();
             let seen = world.coverage(&team.nodes(), &by(strategy));
             assert!(seen > 0.99, "{strategy:?}: {seen}");
@@ -68,7 +66,7 @@ fn content(store: &Ssg) -> BTreeMap<NodeId, String> {
 #[test]
 fn robots_that_share_a_store_and_robots_with_a_copy_each_do_the_same() {
     let world = rooms();
-    for strategy in STRATEGIES {
+    for strategy in Strategy::ALL {
         for edges in [EdgeRule::Visible, EdgeRule::Eq8] {
             let params = ExploreParams { edges, ..by(strategy) };
             for seed in 0..5 {
@@ -98,7 +96,7 @@ fn with_a_wall_at_exactly_the_range_or_a_little_nearer_or_farther_it_ends() {
     let around = [1.0 - 1e-6, 1.0, 1.0 + 1e-6];
     for free_m in (0..=60).map(|i| 0.9 + f64::from(i) * 0.02).chain(around) {
         let world = cell(free_m, 0.125);
-        for strategy in STRATEGIES {
+        for strategy in Strategy::ALL {
             for seed in 0..3 {
                 let team = Team::new(&world, &params(strategy), 1, seed).at_starts().run();
                 let rounds = team.tally.rounds;
@@ -112,7 +110,7 @@ fn with_a_wall_at_exactly_the_range_or_a_little_nearer_or_farther_it_ends() {
 #[test]
 fn with_poses_known_to_2_cm_it_ends_too_and_no_robot_comes_through_a_wall() {
     let world = rooms();
-    for strategy in STRATEGIES {
+    for strategy in Strategy::ALL {
         for seed in 0..10 {
             let team = Team::new(&world, &by(strategy), 3, seed).with_noise(0.02).run();
             assert!(!team.stores[0].has_hubs(), "{strategy:?}, seed {seed}");

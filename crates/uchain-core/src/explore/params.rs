@@ -54,6 +54,10 @@ crate::params! {
         /// What targets that were announced this round are to a choice, beside conflicts.
         /// - Source: Kim 2021, Eq. 7 and §6.2
         pub taken: Taken = Taken::Left;
+        /// What a metre of way costs, in metres of frontier arc, with the strategy `utility` (1).
+        /// - Symbol: β
+        /// - Source: Burgard 2005, Algorithm 1; the value is ours
+        pub utility_beta: f32 = 1.0, in 0.0..=100.0;
         /// Difference of objectives (Eq. 7) or of ways to a hub that counts as none (m).
         /// - Source: ours
         pub tie_m: f32 = 0.001, in 0.0..=1.0;

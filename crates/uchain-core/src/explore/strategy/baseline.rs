@@ -18,5 +18,5 @@ fn random(view: &mut View<'_>) -> Option<Candidate> {
     // The high word of a product: uniform to one part in 2³² / 360.
     let nth = ((u64::from((view.draw)()) * frontiers as u64) >> 32) as usize;
     let first = view.sectors().iter().enumerate().filter_map(frontier).nth(nth)?;
-    Some(view.candidate(Run { first, count: 1 }))
+    view.candidate(Run { first, count: 1 })
 }

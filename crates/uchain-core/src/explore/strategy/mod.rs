@@ -1,6 +1,7 @@
 //! Who chooses where to fly: a function of what a robot knows to a goal.
 
 mod baseline;
+mod comparators;
 mod target;
 #[cfg(test)]
 mod tests;
@@ -25,14 +26,36 @@ pub enum Strategy {
     /// Sensor-based Random Graph: a random frontier, backtracking by graph, and of two robots that would meet one
     /// holds (Kim 2021, §7.2).
     Srg,
+    /// The frontier with the shortest way, whoever found it; conflicts as in `cssg` (Yamauchi 1997).
+    NearestFrontier,
+    /// The frontier of the largest utility: length of its arc, as far as others will not see it, minus `utility_beta`
+    /// times the way there; conflicts as in `cssg` (after Burgard 2005).
+    Utility,
 }
 
 impl Strategy {
+    /// All of them, in the order of their declaration.
+    pub const ALL: [Self; 5] =
+        [Self::Cssg, Self::CssgRandom, Self::Srg, Self::NearestFrontier, Self::Utility];
+
+    /// Its word in a scenario file.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Cssg => "cssg",
+            Self::CssgRandom => "cssg-random",
+            Self::Srg => "srg",
+            Self::NearestFrontier => "nearest-frontier",
+            Self::Utility => "utility",
+        }
+    }
+
     /// Where to go from a node, from all that the robot knows.
     pub fn goal(self, view: &mut View<'_>) -> Goal {
         match self {
             Self::Cssg => target::goal(view),
             Self::CssgRandom | Self::Srg => baseline::goal(view),
+            Self::NearestFrontier => comparators::nearest(view),
+            Self::Utility => comparators::utility(view),
         }
     }
 
@@ -64,6 +87,33 @@ pub struct Candidate {
     pub run: Run,
     /// The one or two sectors flown along: the middle of the run. Twice the same for one.
     pub sectors: [u16; 2],
+}
+
+impl Candidate {
+    /// The place for a new node that merged sectors of a known node give, to a robot with this heading (rad).
+    pub fn of(ssg: &Ssg, slot: usize, heading_rad: f32, run: Run) -> Option<Self> {
+        let (cones, sectors, from) = (ssg.cones(), ssg.sectors(slot), ssg.at(slot)?);
+        let n = cones.count();
+        let radius_m = |k: usize| sectors.get(k).map_or(0.0, |s| s.r_m);
+        let half = run.middle_half(n);
+        if run.count < n {
+            let sectors = middle_sectors(half, n);
+            let reach_m = ssg.params().alpha * radius_m(sectors[0]).min(radius_m(sectors[1]));
+            let direction_rad = cones.angle_rad(half);
+            let at = cones.point(from, half, reach_m);
+            let sectors = sectors.map(|k| k as u16);
+            return Some(Self { at, direction_rad, run, sectors });
+        }
+        // Frontiers all around have no middle: straight on.
+        let direction_rad = if heading_rad.is_finite() { heading_rad } else { 0.0 };
+        let k = cones.facing_rad(direction_rad);
+        let reach_m = ssg.params().alpha * radius_m(k);
+        let at = Point {
+            x_m: from.x_m + reach_m * libm::cosf(direction_rad),
+            y_m: from.y_m + reach_m * libm::sinf(direction_rad),
+        };
+        Some(Self { at, direction_rad, run, sectors: [k as u16; 2] })
+    }
 }
 
 /// Another robot, as far as it has been heard.
@@ -114,33 +164,12 @@ impl View<'_> {
 
     /// The merged frontiers here, as places for new nodes; by first sector.
     pub fn merged(&self) -> impl Iterator<Item = Candidate> + '_ {
-        runs(self.sectors()).map(|run| self.candidate(run))
+        runs(self.sectors()).filter_map(|run| self.candidate(run))
     }
 
     /// The place for a new node that merged sectors here give (Kim 2021, §6.1.1 and §6.1.2).
-    pub fn candidate(&self, run: Run) -> Candidate {
-        let (cones, sectors) = (self.ssg.cones(), self.sectors());
-        let n = cones.count();
-        let from = self.ssg.at(self.here).unwrap_or(self.pose.at);
-        let radius_m = |k: usize| sectors.get(k).map_or(0.0, |s| s.r_m);
-        let half = run.middle_half(n);
-        if run.count < n {
-            let sectors = middle_sectors(half, n);
-            let reach_m = self.params().alpha * radius_m(sectors[0]).min(radius_m(sectors[1]));
-            let direction_rad = cones.angle_rad(half);
-            let at = cones.point(from, half, reach_m);
-            return Candidate { at, direction_rad, run, sectors: sectors.map(|k| k as u16) };
-        }
-        // Frontiers all around have no middle: straight on.
-        let heading_rad = self.pose.heading_rad;
-        let direction_rad = if heading_rad.is_finite() { heading_rad } else { 0.0 };
-        let k = cones.facing_rad(direction_rad);
-        let reach_m = self.params().alpha * radius_m(k);
-        let at = Point {
-            x_m: from.x_m + reach_m * libm::cosf(direction_rad),
-            y_m: from.y_m + reach_m * libm::sinf(direction_rad),
-        };
-        Candidate { at, direction_rad, run, sectors: [k as u16; 2] }
+    pub fn candidate(&self, run: Run) -> Option<Candidate> {
+        Candidate::of(self.ssg, self.here, self.pose.heading_rad, run)
     }
 
     /// What the others, as far as heard, will fly this round.

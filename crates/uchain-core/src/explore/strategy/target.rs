@@ -52,7 +52,7 @@ fn selective(view: &View<'_>, leave: bool) -> Option<Candidate> {
 }
 
 /// Whether another robot has said it will make a node nearer than `d_min` to this place.
-fn is_taken(view: &View<'_>, place: Point) -> bool {
+pub(super) fn is_taken(view: &View<'_>, place: Point) -> bool {
     let d_min_m = view.params().d_min_share * view.params().r_s_m;
     let new = view.taken().filter(|target| target.purpose == Purpose::Explore);
     new.map(|target| target.to.distance_m(place)).any(|d_m| d_m < d_min_m)
@@ -69,7 +69,7 @@ pub(super) fn objective_m(view: &View<'_>, candidate: Point) -> f32 {
 }
 
 /// Size of the turn between two headings (rad), 0 to π; 0 if either is not finite.
-fn turn_rad(from_rad: f32, to_rad: f32) -> f32 {
+pub(super) fn turn_rad(from_rad: f32, to_rad: f32) -> f32 {
     let turned = libm::fmodf(to_rad - from_rad, TAU).abs();
     if !turned.is_finite() {
         return 0.0;

@@ -11,27 +11,27 @@ use crate::explore::{
 };
 
 /// What a strategy makes of it from slot 0, for robot 0 of three.
-struct Scene {
-    ssg: Ssg,
+pub(super) struct Scene {
+    pub(super) ssg: Ssg,
     heading_rad: f32,
     mates: Vec<Mate>,
-    previous: Option<NodeId>,
+    pub(super) previous: Option<NodeId>,
     draws: Vec<u32>,
 }
 
 impl Scene {
-    fn new(params: ExploreParams, signs: &str) -> Self {
+    pub(super) fn new(params: ExploreParams, signs: &str) -> Self {
         let mut ssg = Ssg::new(params, 3).unwrap();
         ssg.apply(&node(id(0, 0), point(0.0, 0.0), None, signs)).unwrap();
         Self { ssg, heading_rad: 0.0, mates: vec![Mate::default(); 3], previous: None, draws: vec![] }
     }
 
-    fn heading(mut self, heading_deg: f32) -> Self {
+    pub(super) fn heading(mut self, heading_deg: f32) -> Self {
         self.heading_rad = heading_deg.to_radians();
         self
     }
 
-    fn mate(mut self, robot: usize, at: Point, flies_to: Option<Point>) -> Self {
+    pub(super) fn mate(mut self, robot: usize, at: Point, flies_to: Option<Point>) -> Self {
         let fly = |to| {
             let (robot, purpose, hub) = (robot as u16, Purpose::Explore, None);
             Target { robot, purpose, hub, from: at, to, level: 1 }
@@ -55,13 +55,13 @@ impl Scene {
         })
     }
 
-    fn goal(&mut self) -> Goal {
+    pub(super) fn goal(&mut self) -> Goal {
         let strategy = self.ssg.params().strategy;
         self.view(|view| strategy.goal(view))
     }
 
     /// Direction of the frontier that is chosen, in degrees.
-    fn chosen_deg(&mut self) -> f32 {
+    pub(super) fn chosen_deg(&mut self) -> f32 {
         let Goal::Frontier(candidate) = self.goal() else { panic!("{:?}", self.goal()) };
         libm::roundf(candidate.direction_rad.to_degrees())
     }

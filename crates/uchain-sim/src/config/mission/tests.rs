@@ -53,6 +53,14 @@ fn what_is_wrong_with_an_exploration_is_said_with_its_place_and_its_numbers() {
 }
 
 #[test]
+fn every_strategy_has_its_word() {
+    for strategy in uchain_core::explore::Strategy::ALL {
+        let site = Site::read(&room(), &[format!("explore.strategy={}", strategy.word())]).unwrap();
+        assert_eq!(site.scenario.params.strategy, strategy);
+    }
+}
+
+#[test]
 fn an_exploration_is_no_chain_and_a_chain_no_exploration() {
     let error = Course::read(&room(), &[]).unwrap_err().to_string();
     assert!(error.contains("this is an exploration; expected a chain"), "{error}");

@@ -60,11 +60,7 @@ impl Sheet<'_> {
     fn headline(&self) -> String {
         let ExploreSummary { scenario, seed, robots, outcome, strategy, .. } = self.summary;
         let s = if *robots == 1 { "" } else { "s" };
-        let strategy = match strategy {
-            uchain_core::explore::Strategy::Cssg => "cssg",
-            uchain_core::explore::Strategy::CssgRandom => "cssg-random",
-            uchain_core::explore::Strategy::Srg => "srg",
-        };
+        let strategy = strategy.word();
         format!("{scenario}, seed {seed}, {strategy}, {robots} robot{s}: {outcome}")
     }
 
