@@ -76,3 +76,38 @@ fn a_plan_is_for_chains_and_says_so() {
     let check = uchain(here.path(), &["check", "corridors"]);
     assert!(stdout(&check).starts_with("ok: corridors: 3 robots, "), "{}", stdout(&check));
 }
+
+#[test]
+fn a_bare_map_is_explored_and_doors_that_are_too_narrow_are_told_of_before() {
+    let here = folder();
+    // Two rooms of 3 by 3 m, with a door of 0.25 m between them.
+    let (open, wall) = (".".repeat(12) + "@" + &".".repeat(12), "@".repeat(25));
+    let mut rows = vec![open; 12];
+    rows[6] = ".".repeat(25);
+    let text = format!("type octile\nheight 13\nwidth 25\nmap\n{wall}\n{}\n", rows.join("\n"));
+    fs::write(here.path().join("two-rooms.map"), text).unwrap();
+    let run = |r_body_m: &str| {
+        let body = format!("explore.r_body_m={r_body_m}");
+        let sets = ["--set", "map.cell_m=0.25", "--set", "explore.robots=2", "--set", &body];
+        uchain(here.path(), &[&["run", "two-rooms.map", "--json"][..], &sets].concat())
+    };
+    let thin = run("0.1");
+    assert_eq!(thin.status.code(), Some(0), "{}", stderr(&thin));
+    let may_miss = "in reach lie in or behind passages narrower than 0.55 m: robots may fly past them unseen";
+    assert!(
+        stderr(&thin).starts_with("note: 7.9 of 15.7 m2 ") && stderr(&thin).contains(may_miss),
+        "{}",
+        stderr(&thin)
+    );
+    let said: Value = serde_json::from_str(stdout(&thin)).unwrap();
+    assert_eq!((&said["scenario"], &said["stopped"]), (&"two-rooms".into(), &"explored".into()));
+    // As was to be feared.
+    assert!(said["coverage"].as_f64().unwrap() < 0.6 && said["shut_off_m2"] == 0.0, "{said}");
+    let fat = run("0.15");
+    let note = "m2 of free ground lie behind passages narrower than 0.3 m, two explore.r_body_m";
+    assert!(stderr(&fat).starts_with("note: 7.3 ") && stderr(&fat).contains(note), "{}", stderr(&fat));
+    let check = uchain(here.path(), &["check", "two-rooms.map", "--set", "explore.r_body_m=2"]);
+    assert!(stderr(&check).contains("room for"), "{}", stderr(&check));
+    let absent = uchain(here.path(), &["run", "no-rooms.map"]);
+    assert!(stderr(&absent).contains("no-rooms.map: No such file"), "{}", stderr(&absent));
+}

@@ -29,8 +29,8 @@ const SLIPS: &[(&str, i32, &[&str])] = &[
     ("show --preset corner", 3, &["hint: 'corner' is a scenario: uchain show corner"]),
     ("run corner.toml", 3, &["No such file", "hint: 'corner', without folder and .toml, is built in"]),
     ("run mien.toml", 3, &["No such file", "did you mean 'mine.toml'?"]),
-    ("run map.yaml", 3, &["hint: a ROS map is no scenario; to plan for it: uchain plan map.yaml --base=X,Y"]),
-    ("run ./map.yaml", 3, &["./map.yaml:", "hint: a ROS map is no scenario"]),
+    ("run ./map.yaml", 3, &["./map.yaml: origin = (absent): expected [x, y, yaw]"]),
+    ("run map.pgm", 3, &["hint: a map's picture; name the yaml file"]),
     ("plan map.pgm --base=0,0 --goal=1,1", 3, &["hint: a map's picture; name the yaml file"]),
     // Keys and values.
     (

@@ -88,7 +88,7 @@ fn the_explored_map_loads_back_as_a_ros_map() {
     let yaml = folder.path().join("map.yaml");
     std::fs::write(&yaml, &written.yaml).unwrap();
     std::fs::write(folder.path().join("map.pgm"), &written.pgm).unwrap();
-    let read = read_ros(&yaml, Unknown::Rock, 0.0).unwrap();
+    let read = read_ros(&yaml, Unknown::Rock, None, 0.0).unwrap();
     let in_file = |local: [f32; 2]| {
         let [x, y] = site.map.offset_m();
         read.to_local([f64::from(local[0]) + x, f64::from(local[1]) + y])

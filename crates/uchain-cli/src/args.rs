@@ -3,7 +3,7 @@
 mod plan;
 mod text;
 
-use std::{ffi::OsString, path::PathBuf, process::ExitCode};
+use std::{ffi::OsString, io::Write as _, path::PathBuf, process::ExitCode};
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
@@ -96,7 +96,7 @@ pub(crate) enum Command {
 #[command(mut_arg("out", |out| out.help("Folder for the results [default: runs/<scenario>-s<seed>, overwritten]")))]
 #[command(mut_arg("json", |json| json.help("Print the summary as JSON on stdout, and nothing else there")))]
 pub(crate) struct Run {
-    /// Name of a built-in scenario, or path of a file (holds a / or ends in .toml)
+    /// Name of a built-in scenario, or path of a file (holds a / or ends in .toml); a bare map (.map, .yaml) is explored
     #[arg(value_name = "NAME|FILE", value_hint = ValueHint::FilePath)]
     pub(crate) scenario: String,
     /// Seed of all noise in the run
@@ -162,6 +162,14 @@ impl Say {
     /// Whether to show how far the work has come.
     pub(crate) fn progress(&self) -> bool {
         !(self.quiet.quiet || self.json)
+    }
+
+    /// Tells people something on the way, on stderr.
+    pub(crate) fn note(&self, words: &str) {
+        if !self.quiet.quiet {
+            // Nobody is left to tell when stderr is gone.
+            let _ = writeln!(std::io::stderr(), "note: {words}");
+        }
     }
 
     /// Prints the result for programs, for people, or not at all.

@@ -31,6 +31,7 @@ Examples:
   uchain run corner
   uchain run corner --seed 7 --set takeoff.s_min_db=55 --set 'pilot.0.follow=left'
   uchain run apartment --set explore.robots=4 --set explore.strategy=srg
+  uchain run city.map --set map.cell_m=0.25 --set explore.robots=20    a MovingAI map; or map.yaml, a ROS map
   uchain run ./mine.toml --out results/a --json
 
 Writes run.mcap while it flies (open it in Foxglove or Rerun), then summary.json and run.png. A run that is

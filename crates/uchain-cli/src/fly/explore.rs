@@ -20,6 +20,7 @@ use crate::{
 
 pub(crate) fn explore(asked: &Run, site: &Site) -> Result<(), Failure> {
     let folder = asked.folder(&site.scenario.name)?;
+    site.notes().iter().for_each(|words| asked.say.note(words));
     listen_for_interrupt();
     let names = Names { recording: EXPLORE.recording.filter(|_| asked.recording.wanted()), ..EXPLORE };
     let tape = names.recording.map(|name| Tape::of_exploration(&folder, name, site, asked.seed));

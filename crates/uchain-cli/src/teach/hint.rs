@@ -129,12 +129,6 @@ fn about_name(name: &str) -> Option<String> {
 }
 
 fn about_map(name: &str) -> Option<String> {
-    if is_map(name) {
-        let plan = format!("uchain plan {name} --base=X,Y --goal=X,Y");
-        return Some(format!(
-            "a ROS map is no scenario; to plan for it: {plan}; to fly in it: uchain explain map.ros"
-        ));
-    }
     let is_picture = has_end(name, &["pgm", "png"]);
     is_picture.then(|| "a map's picture; name the yaml file that belongs to it".to_owned())
 }

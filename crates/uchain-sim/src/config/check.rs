@@ -118,7 +118,11 @@ impl Check<'_> {
                 });
                 outer.chain(inner).try_for_each(|(key, &at)| self.point(&format!("map.walls.{key}"), at))
             }
-            MapConfig::Ros(ros) => self.ranged("map.ros", ros.check()),
+            MapConfig::Movingai(grid) => self.ranged("map.movingai", grid.check()),
+            MapConfig::Ros(ros) => {
+                let cell_m = ros.cell_m.map_or(Ok(()), |m| self.range("map.ros.cell_m", m, 0.001, 1000.0));
+                cell_m.and_then(|()| self.ranged("map.ros", ros.check()))
+            }
         }
     }
 

@@ -5,12 +5,12 @@ use std::sync::OnceLock;
 use glam::Vec2;
 
 use super::{
-    ConfigError, CorridorConfig, MapConfig, RosConfig, Scenario, Source, WallsConfig, check,
+    ConfigError, CorridorConfig, MapConfig, MovingAiConfig, RosConfig, Scenario, Source, WallsConfig, check,
     document::Document,
 };
 use crate::{
     analyse::optimum::Chart,
-    map::{CentreLine, Geodesic, Map, MapError, Tunnel, Vertex, corridor, drawn, read_ros},
+    map::{CentreLine, Geodesic, Map, MapError, Tunnel, Vertex, corridor, drawn, read_moving_ai, read_ros},
     radio::{Antenna, PathLoss},
     sense::GridRays,
 };
@@ -103,6 +103,10 @@ impl Course {
             (_, Some(map)) => (map, None),
             (MapConfig::Walls(config), None) => {
                 (draw(config).map_err(|cause| refuse(document, "map.walls", cause))?, None)
+            }
+            (MapConfig::Movingai(config), None) => {
+                let map = read_grid(config, source);
+                (map.map_err(|cause| refuse(document, "map.movingai.file", cause))?, None)
             }
             (MapConfig::Ros(config), None) => {
                 (read(config, source).map_err(|cause| refuse(document, "map.ros.file", cause))?, None)
@@ -219,7 +223,11 @@ pub(super) fn draw(config: &WallsConfig) -> Result<Map, MapError> {
 }
 
 pub(super) fn read(config: &RosConfig, source: &Source) -> Result<Map, MapError> {
-    read_ros(&source.folder.join(&config.file), config.unknown, config.simplify_m)
+    read_ros(&source.folder.join(&config.file), config.unknown, config.cell_m, config.simplify_m)
+}
+
+pub(super) fn read_grid(config: &MovingAiConfig, source: &Source) -> Result<Map, MapError> {
+    read_moving_ai(&source.folder.join(&config.file), config.cell_m)
 }
 
 pub(super) fn refuse(document: &Document<'_>, key: &str, cause: MapError) -> ConfigError {

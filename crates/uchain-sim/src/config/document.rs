@@ -11,6 +11,7 @@ use toml::{
 use super::{
     ConfigError, Preset, Source,
     diagnose::{Origin, not_an_entry, shorten},
+    keys::{TABLES, holds},
 };
 
 /// The parsed text. A value that came by `--set` number `i` has a span of its own behind the text,
@@ -92,7 +93,12 @@ impl<'i> Document<'i> {
         let Some((path, text)) = assignment.split_once('=') else {
             return Err(wrong("expected key=value, such as equalize.v_max_mps=0.2".to_owned()));
         };
-        let steps: Vec<&str> = path.split('.').map(str::trim).collect();
+        let mut steps: Vec<&str> = path.split('.').map(str::trim).collect();
+        if let ["map", key] = steps[..] {
+            // `map.cell_m` is that of whatever kind of map it is.
+            let kind = self.kind_of_map().filter(|kind| holds(&format!("map.{kind}"), key));
+            steps.splice(1..1, kind);
+        }
         if steps.iter().any(|step| step.is_empty()) || steps.len() > 8 {
             return Err(wrong("expected key=value with a key such as equalize.v_max_mps".to_owned()));
         }
@@ -123,6 +129,15 @@ impl<'i> Document<'i> {
         }
         *here = value;
         Ok(())
+    }
+
+    /// The one table within `map`, as far as there is only one we know.
+    fn kind_of_map(&self) -> Option<&'static str> {
+        let (Some(map), true) = self.follow("map") else { return None };
+        let DeValue::Table(map) = map.get_ref() else { return None };
+        let [kind] = map.keys().collect::<Vec<_>>()[..] else { return None };
+        let kinds = TABLES.iter().filter_map(|(table, _)| table.strip_prefix("map."));
+        kinds.into_iter().find(|known| *known == &**kind.get_ref())
     }
 
     /// The value tree, for the deserializer.

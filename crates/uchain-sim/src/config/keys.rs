@@ -7,7 +7,8 @@ use uchain_core::{
 };
 
 use super::{
-    ChainConfig, CorridorConfig, PilotStep, RosConfig, Scenario, TeamConfig, WallsConfig, diagnose::Choices,
+    ChainConfig, CorridorConfig, MovingAiConfig, PilotStep, RosConfig, Scenario, TeamConfig, WallsConfig,
+    diagnose::Choices,
 };
 use crate::{
     radio::{Dead, Deaf, FaultConfig, PacketParams, PathLossParams},
@@ -24,11 +25,12 @@ pub(super) const EXPLORE: Key = Key {
 };
 
 /// Every table with its keys, some in several parts; of a list of tables the first entry stands for all.
-pub(super) const TABLES: [(&str, &[Key]); 22] = [
+pub(super) const TABLES: [(&str, &[Key]); 23] = [
     ("", Scenario::KEYS),
     ("", &[EXPLORE]),
     ("map.corridor", CorridorConfig::KEYS),
     ("map.walls", WallsConfig::KEYS),
+    ("map.movingai", MovingAiConfig::KEYS),
     ("map.ros", RosConfig::KEYS),
     ("chain", ChainConfig::KEYS),
     ("pilot.0", PilotStep::KEYS),
@@ -48,6 +50,14 @@ pub(super) const TABLES: [(&str, &[Key]); 22] = [
     ("explore", TeamConfig::KEYS),
     ("explore", ExploreParams::KEYS),
 ];
+
+/// Whether a table has this key.
+pub(super) fn holds(table: &str, key: &str) -> bool {
+    TABLES
+        .iter()
+        .filter(|(name, _)| *name == table)
+        .any(|(_, keys)| keys.iter().any(|known| known.name == key))
+}
 
 /// `table.key`; a key of the whole stands alone.
 pub(super) fn join(table: &str, key: &str) -> String {

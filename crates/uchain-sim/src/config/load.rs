@@ -86,7 +86,7 @@ pub(super) fn explain(error: &toml::de::Error, document: &Document<'_>) -> Confi
             return ConfigError::UnknownKey { at, key: join(&path, name), choices: Box::new(choices) };
         }
         let expected =
-            "expected one of the tables [map.corridor], [map.walls] and [map.ros], and only one".to_owned();
+            "expected one of the tables [map.corridor], [map.walls], [map.movingai] and [map.ros], and only one".to_owned();
         return ConfigError::Invalid { at, key: path, got: "{ … }".to_owned(), expected };
     }
     let (found, expected) = message.rsplit_once(", expected ").unwrap_or((message, "another value"));

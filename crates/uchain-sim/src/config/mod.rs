@@ -18,5 +18,7 @@ pub use check::UAVS_MAX;
 pub use course::{Course, Spawn};
 pub use diagnose::{Choices, ConfigError, Origin};
 pub use mission::{ExploreScenario, Mission, Site, TeamConfig, VehicleKind, describe};
-pub use scenario::{ChainConfig, CorridorConfig, MapConfig, PilotStep, RosConfig, Scenario, WallsConfig};
+pub use scenario::{
+    ChainConfig, CorridorConfig, MapConfig, MovingAiConfig, PilotStep, RosConfig, Scenario, WallsConfig,
+};
 pub use source::{PRESETS, Preset, Source, TEXT_MAX_BYTES, builtin, builtin_names};

@@ -26,7 +26,7 @@ uchain_core::params! {
         pub preset: Option<String>;
         /// Simulated time (s); a multiple of the tick, 0.05 s.
         pub duration_s: f64, in 0.05..=86_400.0;
-        /// The tunnel: one of `[map.corridor]`, `[map.walls]` and `[map.ros]`.
+        /// The tunnel: one of `[map.corridor]`, `[map.walls]`, `[map.movingai]` and `[map.ros]`.
         pub map: MapConfig;
         /// Who flies and where they wait.
         pub chain: ChainConfig;
@@ -68,7 +68,7 @@ uchain_core::params! {
     }
 }
 
-/// Where the map comes from: one of `[map.corridor]`, `[map.walls]` and `[map.ros]`.
+/// Where the map comes from: one of `[map.corridor]`, `[map.walls]`, `[map.movingai]` and `[map.ros]`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -77,6 +77,8 @@ pub enum MapConfig {
     Corridor(CorridorConfig),
     /// Walls drawn one by one.
     Walls(WallsConfig),
+    /// A grid map of the MovingAI benchmarks.
+    Movingai(MovingAiConfig),
     /// A ROS `map_server` map.
     Ros(RosConfig),
 }
@@ -113,6 +115,25 @@ uchain_core::params! {
 }
 
 uchain_core::params! {
+    /// A grid map of the MovingAI benchmarks (`type octile`): `.`, `G` and `S` are free.
+    #[derive(Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct MovingAiConfig {
+        /// Path of the map file, from the folder of the scenario file (from the working folder for a compiled-in
+        /// scenario).
+        pub file: std::path::PathBuf;
+        /// Side of a cell (m); the file does not say.
+        /// - Source: ours
+        #[serde(default = "default_cell_m")]
+        pub cell_m: f64, in 0.001..=1000.0;
+    }
+}
+
+fn default_cell_m() -> f64 {
+    0.5
+}
+
+uchain_core::params! {
     /// A ROS `map_server` map.
     #[derive(Serialize, Deserialize)]
     #[serde(deny_unknown_fields)]
@@ -123,6 +144,10 @@ uchain_core::params! {
         /// What cells of unknown state are.
         #[serde(default)]
         pub unknown: crate::map::Unknown;
+        /// Side of a cell (m), instead of the file's own `resolution`.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(range(min = 0.001, max = 1000.0))]
+        pub cell_m: Option<f64>;
         /// How far a simplified wall may lie from the cells' edge (m).
         /// - Source: ours
         #[serde(default = "default_simplify_m")]

@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{ConfigError, diagnose::Choices};
+use super::{ConfigError, check::NAME_LENGTH_MAX, diagnose::Choices};
 
 /// Longest scenario file (bytes).
 pub const TEXT_MAX_BYTES: u64 = 1 << 20;
@@ -109,16 +109,33 @@ pub fn builtin_names() -> &'static [&'static str] {
 }
 
 impl Source {
-    /// A compiled-in scenario by its name, or a file: what holds a `/` or ends in `.toml` is a file.
+    /// A compiled-in scenario by its name, or a file: what holds a `/` or ends in `.toml` is a file. A bare map (`.map`,
+    /// `.yaml`, `.yml`) stands for its exploration.
     ///
     /// # Errors
     /// [`ConfigError::UnknownScenario`] with the nearest name; those of [`Source::read`].
     pub fn find(name_or_path: &str) -> Result<Self, ConfigError> {
         let path = Path::new(name_or_path);
+        if let Some(kind) = kind_of_map(path) {
+            return Ok(Self::around_map(path, kind));
+        }
         if name_or_path.contains(['/', '\\']) || is_toml(path) {
             return Self::read(path);
         }
         builtin(name_or_path).ok_or_else(|| ConfigError::unknown_scenario(name_or_path))
+    }
+
+    /// Robots explore a map; all else is left to the defaults. The map itself is not read yet.
+    fn around_map(path: &Path, kind: &str) -> Self {
+        let plain = |c: char| if c.is_ascii_alphanumeric() || c == '_' { c } else { '-' };
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let name: String = stem.chars().take(NAME_LENGTH_MAX).map(plain).collect();
+        let file = toml::Value::String(path.display().to_string());
+        let text = format!(
+            "name = \"{name}\"\ndescription = \"Robots explore a map\"\nduration_s = 86400.0\n\
+             [map.{kind}]\nfile = {file}\n[explore]\n"
+        );
+        Self { label: path.display().to_string(), text, folder: PathBuf::new() }
     }
 
     /// The text of a file of at most [`TEXT_MAX_BYTES`].
@@ -145,6 +162,13 @@ impl Source {
         })?;
         Ok(Self { label, text, folder: path.parent().map(Path::to_owned).unwrap_or_default() })
     }
+}
+
+/// The table that a bare map's file goes into.
+fn kind_of_map(path: &Path) -> Option<&'static str> {
+    const KINDS: [(&str, &str); 3] = [("map", "movingai"), ("yaml", "ros"), ("yml", "ros")];
+    let end = path.extension()?.to_str()?;
+    KINDS.iter().find(|(known, _)| end.eq_ignore_ascii_case(known)).map(|(_, kind)| *kind)
 }
 
 fn is_toml(path: &Path) -> bool {

@@ -4,7 +4,8 @@
 //! themselves belong to free space. Coordinates are metres in the map frame, x to the right, y up.
 //!
 //! The parts: [`Map`] answers what is rock and what sees what; [`corridor`] builds a tunnel from a centre line;
-//! [`drawn`] takes wall loops as they are; [`read_ros`] reads a `map_server` map; [`Map::centre_path`] finds the middle of a tunnel nobody drew;
+//! [`drawn`] takes wall loops as they are; [`read_ros`] reads a `map_server` map, [`read_moving_ai`] a MovingAI grid;
+//! [`Map::centre_path`] finds the middle of a tunnel nobody drew;
 //! [`Geodesic`] measures the way through free space, [`Tunnel`] the depth along the middle.
 
 mod corridor;
@@ -13,9 +14,9 @@ mod error;
 mod geodesic;
 mod geometry;
 mod grid;
-mod rays;
 #[cfg(feature = "maps")]
-mod ros;
+mod raster;
+mod rays;
 #[cfg(test)]
 mod tests;
 mod tunnel;
@@ -33,7 +34,7 @@ pub use error::MapError;
 pub use geodesic::{Geodesic, MOST_CORNERS, Trail};
 pub use geometry::Segment;
 #[cfg(feature = "maps")]
-pub use ros::read_ros;
+pub use raster::{read_moving_ai, read_ros};
 pub use tunnel::{CentreLine, Tunnel};
 pub use ways::Ways;
 
@@ -261,11 +262,20 @@ fn folds_back(a: DVec2, b: DVec2, c: DVec2) -> bool {
     geometry::orient(a, b, c) == 0.0 && (b - a).dot(c - b) < 0.0
 }
 
-/// Without the feature `maps` there are no map files to read.
+/// Without the feature `maps`, nothing is read.
 ///
 /// # Errors
 /// Always [`MapError::NoMapFiles`].
 #[cfg(not(feature = "maps"))]
-pub fn read_ros(yaml: &std::path::Path, _: Unknown, _: f64) -> Result<Map, MapError> {
+pub fn read_ros(yaml: &std::path::Path, _: Unknown, _: Option<f64>, _: f64) -> Result<Map, MapError> {
     Err(MapError::NoMapFiles { file: yaml.to_owned() })
+}
+
+/// Without the feature `maps`, nothing is read.
+///
+/// # Errors
+/// Always [`MapError::NoMapFiles`].
+#[cfg(not(feature = "maps"))]
+pub fn read_moving_ai(file: &std::path::Path, _: f64) -> Result<Map, MapError> {
+    Err(MapError::NoMapFiles { file: file.to_owned() })
 }

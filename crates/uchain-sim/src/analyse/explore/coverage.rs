@@ -8,12 +8,15 @@ use serde::Serialize;
 use super::Ground;
 use crate::{map::Map, record::NodeFrame};
 
+/// Nodes of several robots see a cell.
+const SEVERAL: u16 = u16::MAX;
+
 /// Cells seen so far: those within `r_s_m` and in line of sight of a node.
 #[derive(Debug, Clone)]
 pub struct Coverage {
     r_s_m: f32,
-    /// Per cell of the ground, a bit for every robot one of whose nodes sees it.
-    seen_by: Vec<u64>,
+    /// Per cell of the ground, whose nodes see it: nobody's, one robot's (its number and 1), or several robots'.
+    seen_by: Vec<u16>,
     seen: usize,
     shared: usize,
 }
@@ -38,10 +41,10 @@ impl Coverage {
 
     /// A node looks around, from where its robot truly was.
     pub fn look(&mut self, map: &Map, ground: &Ground, node: &NodeFrame) {
-        let (from, bit) = (Vec2::from(node.at_m), 1_u64 << (node.id.robot % 64));
+        let (from, own) = (Vec2::from(node.at_m), node.id.robot.saturating_add(1).min(SEVERAL - 1));
         for index in ground.cells_near(from, self.r_s_m) {
             let before = self.seen_by[index];
-            if before & bit != 0 || !ground.is_reachable(index) {
+            if before == own || before == SEVERAL || !ground.is_reachable(index) {
                 continue;
             }
             let to = ground.middle_of(index);
@@ -49,9 +52,9 @@ impl Coverage {
             if far_m > self.r_s_m || !(in_star(node, to - from, far_m) || map.sees(from, to)) {
                 continue;
             }
-            self.seen_by[index] |= bit;
+            self.seen_by[index] = if before == 0 { own } else { SEVERAL };
             self.seen += usize::from(before == 0);
-            self.shared += usize::from(before.is_power_of_two());
+            self.shared += usize::from(before != 0);
         }
     }
 

@@ -109,6 +109,7 @@ impl<'a> ExploreMetrics<'a> {
             hubs_left: self.hubs,
             unseen_m2,
             unseen,
+            shut_off_m2: ground.shut_off_m2(),
             wall_contacts: self.robots.iter().map(|robot| robot.wall_contacts).sum(),
             robot_contacts: self.robots.iter().map(|robot| robot.robot_contacts).sum::<u32>() / 2,
             level_passes: self.robots.iter().map(|robot| robot.level_passes).sum::<u32>() / 2,

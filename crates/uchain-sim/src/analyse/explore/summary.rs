@@ -60,6 +60,9 @@ pub struct ExploreSummary {
     pub unseen_m2: f64,
     /// Its pieces, the largest first; at most [`ExploreSummary::UNSEEN_MAX`].
     pub unseen: Vec<Unseen>,
+    /// Free ground that robots of this radius cannot get to, for the ways there are too narrow; it does not count for
+    /// coverage (m²).
+    pub shut_off_m2: f64,
     /// Wall contacts begun.
     pub wall_contacts: u32,
     /// Contacts between robots on one level begun: nearer over ground than two radii.

@@ -1,7 +1,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
-    super::{ConfigError, ExploreScenario, Scenario, UAVS_MAX, builtin, keys::TABLES},
+    super::{ConfigError, ExploreScenario, Scenario, Source, UAVS_MAX, builtin, keys::TABLES},
     Explanation, explain, schema,
     schema::entries,
 };
@@ -11,11 +11,13 @@ use crate::config::ChainConfig;
 const STRAIGHT: &str = "straight";
 const STATA: &str = "stata";
 const APARTMENT: &str = "apartment";
+/// A map that nobody reads.
+const GRID: &str = "city.map";
 
 /// The whole scenario in TOML.
 fn parse(name: &str, set: &str) -> Result<String, ConfigError> {
-    let source = builtin(name).unwrap();
-    if name == APARTMENT {
+    let source = builtin(name).or_else(|| Source::find(name).ok()).unwrap();
+    if [APARTMENT, GRID].contains(&name) {
         return ExploreScenario::parse(&source, &[set.to_owned()]).map(|read| read.to_toml().unwrap());
     }
     let faults = "faults={deaf=[{uav=0,side=\"back\"}],dead=[{uav=1,start_s=5}]}";
@@ -26,6 +28,7 @@ fn parse_for(key: &str, set: &str) -> Result<String, ConfigError> {
     let is_in = |table: &str| key.starts_with(table);
     let name = match () {
         () if is_in("map.ros") => STATA,
+        () if is_in("map.movingai") => GRID,
         () if is_in("map.walls") || is_in("explore") => APARTMENT,
         () => STRAIGHT,
     };

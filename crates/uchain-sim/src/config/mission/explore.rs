@@ -69,7 +69,12 @@ uchain_core::params! {
     pub struct TeamConfig {
         /// Robots.
         /// - Source: Kim 2021, §7.2 (1 to 6)
-        pub robots: u16 = 3, in 1..=64;
+        pub robots: u16 = 3, in 1..=1000;
+        /// Around where robots start if `spawns_m` says nothing (m): side by side. Without a value that is the place with
+        /// the most room in the largest part of the map.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[schemars(schema_with = "crate::config::help::shape::point")]
+        pub start_m: Option<[f64; 2]> = None;
         /// Where robots start, in order (m). Of more places than robots the first are used.
         #[schemars(schema_with = "crate::config::help::shape::points")]
         pub spawns_m: Vec<[f64; 2]> = Vec::new();
@@ -186,6 +191,7 @@ impl ExploreScenario {
         };
         self.team.check().map_err(in_explore)?;
         self.params.check().map_err(in_explore)?;
+        self.team.start_m.map_or(Ok(()), |at| check.point("explore.start_m", at))?;
         for (i, &at) in self.team.spawns_m.iter().enumerate() {
             check.point(&format!("explore.spawns_m.{i}"), at)?;
         }

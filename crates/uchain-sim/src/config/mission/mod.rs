@@ -2,6 +2,7 @@
 
 mod explore;
 mod site;
+mod starts;
 #[cfg(test)]
 mod tests;
 

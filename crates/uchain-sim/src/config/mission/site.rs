@@ -4,16 +4,19 @@ use std::sync::OnceLock;
 
 use glam::Vec2;
 
-use super::ExploreScenario;
+use super::{ExploreScenario, starts::Lattice};
 use crate::{
     analyse::explore::Ground,
     config::{
         ConfigError, MapConfig, Source,
-        course::{build, draw, read, refuse, to_a_micrometre},
+        course::{build, draw, read, read_grid, refuse, to_a_micrometre},
         document::Document,
     },
     map::Map,
 };
+
+/// Share of the ground from which on it is worth a note (1).
+const NOTED: f64 = 0.005;
 
 /// An exploration laid out in its map. Everything in it has been checked; nothing changes any more.
 #[derive(Debug, Clone)]
@@ -68,6 +71,9 @@ impl Site {
             (_, Some(map)) => map,
             (MapConfig::Corridor(config), None) => build(config, around).map_err(refuse("map.corridor"))?.0,
             (MapConfig::Walls(config), None) => draw(config).map_err(refuse("map.walls"))?,
+            (MapConfig::Movingai(config), None) => {
+                read_grid(config, source).map_err(refuse("map.movingai.file"))?
+            }
             (MapConfig::Ros(config), None) => read(config, source).map_err(refuse("map.ros.file"))?,
         };
         let spawns = places(&scenario, &map, document)?;
@@ -76,7 +82,30 @@ impl Site {
 
     /// What of the map a robot can reach, in cells.
     pub fn ground(&self) -> &Ground {
-        self.ground.get_or_init(|| Ground::survey(&self.map, &self.spawns, self.scenario.params.r_body_m))
+        self.ground.get_or_init(|| Ground::survey(&self.map, &self.spawns, &self.scenario.params))
+    }
+
+    /// What one should know before the start: ground that robots of this size cannot reach, or may miss.
+    pub fn notes(&self) -> Vec<String> {
+        let (ground, params) = (self.ground(), &self.scenario.params);
+        let (reach_m2, shut_off_m2, narrow_m2) = (ground.area_m2(), ground.shut_off_m2(), ground.narrow_m2());
+        let mut notes = Vec::new();
+        if shut_off_m2 > NOTED * reach_m2 {
+            notes.push(format!(
+                "{shut_off_m2:.1} m2 of free ground lie behind passages narrower than {} m, two explore.r_body_m: robots \
+                 cannot get there; {reach_m2:.1} m2 are in reach",
+                2.0 * params.r_body_m
+            ));
+        }
+        if narrow_m2 > NOTED * reach_m2 {
+            notes.push(format!(
+                "{narrow_m2:.1} of {reach_m2:.1} m2 in reach lie in or behind passages narrower than {:.2} m: robots may \
+                 fly past them unseen; smaller explore.r_body_m or r_s_m, or more explore.sectors, see through \
+                 narrower ones",
+                Ground::seen_m(params)
+            ));
+        }
+        notes
     }
 }
 
@@ -87,14 +116,31 @@ fn places(scenario: &ExploreScenario, map: &Map, document: &Document<'_>) -> Res
     let invalid = |key: String, got: String, expected: String| {
         Err(ConfigError::Invalid { at: document.origin(&key), key, got, expected })
     };
+    let wander_m = team.scatter_m * core::f32::consts::SQRT_2;
+    let wall_m = params.r_body_m + wander_m;
+    let apart_m = params.conflict_m() + 2.0 * wander_m;
+    if team.spawns_m.is_empty() {
+        let lattice = Lattice::new(map, wall_m, apart_m);
+        let first = match team.start_m {
+            Some(at_m) => lattice.nearest(map.to_local(at_m)),
+            None => lattice.roomiest(),
+        };
+        let places = first.map_or_else(Vec::new, |first| lattice.places(first, robots));
+        if places.len() == robots {
+            return Ok(places);
+        }
+        let expected = format!(
+            "expected room for all of them side by side, {apart_m:.3} m apart and {wall_m:.3} m from walls; there is \
+             room for {}",
+            places.len()
+        );
+        return invalid("explore.robots".to_owned(), robots.to_string(), expected);
+    }
     if team.spawns_m.len() < robots {
         let got = format!("{} places", team.spawns_m.len());
         let expected = format!("must be one place per robot at least (explore.robots = {robots})");
         return invalid("explore.spawns_m".to_owned(), got, expected);
     }
-    let wander_m = team.scatter_m * core::f32::consts::SQRT_2;
-    let wall_m = params.r_body_m + wander_m;
-    let apart_m = params.conflict_m() + 2.0 * wander_m;
     let mut spawns: Vec<Vec2> = Vec::with_capacity(robots);
     for (i, &place) in team.spawns_m.iter().enumerate().take(robots) {
         let at = map.to_local(place);

@@ -27,7 +27,7 @@ fn error(sets: &[&str]) -> String {
 #[test]
 fn what_is_wrong_with_an_exploration_is_said_with_its_place_and_its_numbers() {
     let cases = [
-        (&["explore.robots=0"][..], "--set explore.robots=0: explore.robots = 0: must lie in 1..=64"),
+        (&["explore.robots=0"][..], "--set explore.robots=0: explore.robots = 0: must lie in 1..=1000"),
         (&["explore.r_s_m=-1"], "explore.r_s_m = -1: must lie in 0.05..=100"),
         (&["explore.robots=3"], "explore.spawns_m = 2 places: must be one place per robot at least"),
         (&["explore.stratgy=srg"], "unknown key 'explore.stratgy'; did you mean 'strategy'?"),

@@ -110,7 +110,7 @@ const BAD_LINES: &[(&str, &str, &str)] = &[
     (
         "[map.corridor]",
         "[map.corridoor]",
-        "plain.toml:4: unknown key 'map.corridoor'; did you mean 'corridor'? (known: corridor, walls, ros)",
+        "plain.toml:4: unknown key 'map.corridoor'; did you mean 'corridor'? (known: corridor, walls, movingai, ros)",
     ),
     (
         "[map.corridor]",
@@ -217,10 +217,8 @@ fn a_bad_set_is_named_instead_of_a_line() {
         ),
         ("seed=4", "unknown key 'seed' (known: name, "),
         ("corridor.width_m=2", "unknown key 'corridor'; did you mean 'map.corridor'?"),
-        (
-            "map.width_m=2",
-            "--set map.width_m=2: unknown key 'map.width_m'; did you mean 'map.corridor.width_m'?",
-        ),
+        ("map.width_m=0", "--set map.width_m=0: map.corridor.width_m = 0: must lie in 0.1..=100"),
+        ("map.cell_m=2", "--set map.cell_m=2: unknown key 'map.cell_m'; did you mean 'corridor'?"),
         ("alpha_wall=4", "unknown key 'alpha_wall'; did you mean 'radio.alpha_wall'? (known: name, "),
         ("alpha_wal=4", "unknown key 'alpha_wal'; did you mean 'radio.alpha_wall'?"),
         ("chain.radius_m=1", "unknown key 'chain.radius_m'; did you mean 'motion.radius_m'? (known: uavs, "),

@@ -53,7 +53,7 @@ fn stata() -> Option<Map> {
     let data = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/maps/ros/f1tenth");
     let file = data.join("stata_basement.yaml");
     if cfg!(feature = "maps") && file.is_file() {
-        return Some(crate::map::read_ros(&file, crate::map::Unknown::Rock, 0.02).unwrap());
+        return Some(crate::map::read_ros(&file, crate::map::Unknown::Rock, None, 0.02).unwrap());
     }
     assert!(std::env::var("CI").as_deref() != Ok("true"), "{} is missing: the gate needs it", file.display());
     eprintln!("left out: {} is not there", file.display());

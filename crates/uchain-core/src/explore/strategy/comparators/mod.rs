@@ -41,24 +41,19 @@ pub(super) fn utility(view: &mut View<'_>) -> Goal {
     let (ssg, here) = (view.ssg, view.here);
     let committed = view.previous.and_then(|id| ssg.slot(id)).filter(|&slot| ssg.is_hub(slot));
     match committed {
-        Some(hub) if hub == here => {}
-        Some(hub) => {
-            // No way leads there any more than it did: edges are only added.
-            return Goal::Node(hub);
-        }
-        None => {}
+        // A way that led there still does: edges are only added.
+        Some(hub) if hub != here => return Goal::Node(hub),
+        _ => {}
     }
     let own = best(view, here, view.params().taken == Taken::Left);
     if let (Some((_, candidate)), true) = (own, committed.is_some()) {
         return Goal::Frontier(candidate);
     }
-    match elsewhere(view, own.map(|(utility_m, _)| utility_m)) {
-        Some(hub) => Goal::Node(hub),
-        None => {
-            let own = own.or_else(|| best(view, here, false));
-            own.map_or(Goal::Home, |(_, candidate)| Goal::Frontier(candidate))
-        }
+    if let Some(hub) = elsewhere(view, own.map(|(utility_m, _)| utility_m)) {
+        return Goal::Node(hub);
     }
+    // Rather together than not at all.
+    own.or_else(|| best(view, here, false)).map_or(Goal::Home, |(_, candidate)| Goal::Frontier(candidate))
 }
 
 /// The best frontier of a node and its utility without the way to the node (m).

@@ -6,32 +6,27 @@
 //! picture: yaw turns the picture counter-clockwise about that corner.
 //! Format: <https://wiki.ros.org/map_server>.
 
-mod cells;
-mod contour;
-mod simplify;
-#[cfg(test)]
-mod tests;
-
 use std::{
     collections::BTreeMap,
     fmt,
-    fs::File,
-    io::Read,
     path::{Path, PathBuf},
 };
 
 use glam::DVec2;
 use serde::{Deserialize, de::IgnoredAny};
 
-use self::cells::{Cells, Levels};
-use super::{Map, MapError, Unknown};
+use super::{
+    cells::{Cells, Levels},
+    read, to_map,
+};
+use crate::map::{Map, MapError, Unknown};
 
 /// Most bytes of a yaml file.
 const MOST_YAML_BYTES: u64 = 1 << 16;
 /// Most bytes of a picture file.
 const MOST_PICTURE_BYTES: u64 = 1 << 28;
 
-/// Reads a `map_server` map.
+/// Reads a `map_server` map. `cell_m` counts instead of the file's own `resolution` (m).
 ///
 /// Walls are the edges between free cells and all others, each kept within `simplify_m` (0 to 1 m) of the cells'
 /// own edge; 0 keeps every step. Simplified walls never cross or touch, and every speck of rock and pocket of free
@@ -41,43 +36,28 @@ const MOST_PICTURE_BYTES: u64 = 1 << 28;
 /// # Errors
 /// A file that is absent, too large or not what it should be; a key that is absent or out of range, named with what
 /// it holds; a picture without a free cell, with more than 4,000,000 corners of cell edges, or with more than
-/// [`MOST_WALLS`](super::MOST_WALLS) walls once simplified.
-pub fn read_ros(yaml: &Path, unknown: Unknown, simplify_m: f64) -> Result<Map, MapError> {
+/// [`MOST_WALLS`](crate::map::MOST_WALLS) walls once simplified.
+pub fn read_ros(
+    yaml: &Path,
+    unknown: Unknown,
+    cell_m: Option<f64>,
+    simplify_m: f64,
+) -> Result<Map, MapError> {
     if !(0.0..=1.0).contains(&simplify_m) {
         return Err(MapError::Range { what: "simplify_m", got: simplify_m, low: 0.0, high: 1.0 });
     }
     let bytes = read(yaml, MOST_YAML_BYTES).map_err(|why| MapError::Read { file: yaml.to_owned(), why })?;
-    let meta = Meta::parse(yaml, &bytes)?;
+    let mut meta = Meta::parse(yaml, &bytes)?;
+    meta.resolution_m = cell_m.unwrap_or(meta.resolution_m);
     let image = yaml.parent().unwrap_or(Path::new("")).join(&meta.image);
     let wrong = |why: String| MapError::Image { file: yaml.to_owned(), image: image.clone(), why };
     let picture = read(&image, MOST_PICTURE_BYTES).map_err(wrong)?;
     let cells = Cells::decode(&picture, meta.levels, unknown).map_err(wrong)?;
-    let loops = contour::loops(&cells).map_err(wrong)?;
-    let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-    for &corner in loops.iter().flatten() {
-        let at = meta.place(corner);
-        (low, high) = (low.min(at), high.max(at));
-    }
-    if !low.is_finite() {
-        return Err(wrong("it has no free cell".to_owned()));
-    }
-    let middle = (low + high) / 2.0;
-    let place = |corner: DVec2| (meta.place(corner) - middle).as_vec2();
-    let mut map = simplify::simplify(&loops, simplify_m / meta.resolution_m, meta.resolution_m, place)?;
-    map.offset_m = middle.into();
-    Ok(map)
-}
-
-/// A whole file of at most `most` bytes.
-fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(|error| error.to_string())?;
-    file.take(most + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
-    if bytes.len() as u64 > most { Err(format!("more than {most} bytes")) } else { Ok(bytes) }
+    to_map(&cells, meta.resolution_m, simplify_m, |corner| meta.place(corner), wrong)
 }
 
 /// What the yaml file says, checked.
-struct Meta {
+pub(super) struct Meta {
     image: PathBuf,
     resolution_m: f64,
     corner: DVec2,
@@ -87,7 +67,7 @@ struct Meta {
 }
 
 impl Meta {
-    fn parse(file: &Path, bytes: &[u8]) -> Result<Self, MapError> {
+    pub(super) fn parse(file: &Path, bytes: &[u8]) -> Result<Self, MapError> {
         let unreadable = |why: String| MapError::Read { file: file.to_owned(), why };
         let text = std::str::from_utf8(bytes).map_err(|error| unreadable(error.to_string()))?;
         let values = serde_saphyr::from_str(text).map_err(|error| unreadable(error.to_string()))?;

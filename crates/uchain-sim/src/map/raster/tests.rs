@@ -22,7 +22,7 @@ fn read(yaml: &str, picture: &[u8], unknown: Unknown) -> Result<Map, MapError> {
     let file = folder.path().join("map.yaml");
     fs::write(&file, yaml).unwrap();
     fs::write(folder.path().join("map.pgm"), picture).unwrap();
-    read_ros(&file, unknown, 0.0)
+    read_ros(&file, unknown, None, 0.0)
 }
 
 #[test]
@@ -87,9 +87,12 @@ fn what_is_wrong_is_named_by_file_key_and_expectation() {
     assert!(["map.yaml", "image", "other.pgm"].iter().all(|part| absent.contains(part)), "{absent}");
     let solid = read(YAML, b"P2 1 1 255 0", Unknown::Rock).unwrap_err();
     assert!(solid.to_string().contains("no free cell"));
-    assert!(matches!(read_ros("nowhere.yaml".as_ref(), Unknown::Rock, 0.0), Err(MapError::Read { .. })));
     assert!(matches!(
-        read_ros("nowhere.yaml".as_ref(), Unknown::Rock, f64::NAN),
+        read_ros("nowhere.yaml".as_ref(), Unknown::Rock, None, 0.0),
+        Err(MapError::Read { .. })
+    ));
+    assert!(matches!(
+        read_ros("nowhere.yaml".as_ref(), Unknown::Rock, None, f64::NAN),
         Err(MapError::Range { .. })
     ));
 }
@@ -176,7 +179,7 @@ proptest! {
         let _ = Cells::decode(&png, levels, Unknown::Rock);
         let cut = cut % YAML.len();
         let _ = read(&String::from_utf8_lossy(&[&YAML.as_bytes()[..cut], &yaml].concat()), PGM.as_bytes(), Unknown::Rock);
-        let _ = super::Meta::parse("map.yaml".as_ref(), &yaml);
+        let _ = super::ros::Meta::parse("map.yaml".as_ref(), &yaml);
     }
 }
 
@@ -194,8 +197,8 @@ fn shared(folder: &str) -> Option<PathBuf> {
 #[test]
 fn the_stata_basement_is_one_building_of_few_walls() {
     let Some(folder) = shared("f1tenth") else { return };
-    let map = read_ros(&folder.join("stata_basement.yaml"), Unknown::Rock, 0.06).unwrap();
-    let raw = read_ros(&folder.join("stata_basement.yaml"), Unknown::Rock, 0.0).unwrap();
+    let map = read_ros(&folder.join("stata_basement.yaml"), Unknown::Rock, None, 0.06).unwrap();
+    let raw = read_ros(&folder.join("stata_basement.yaml"), Unknown::Rock, None, 0.0).unwrap();
     assert_eq!(map.loops().count(), raw.loops().count());
     assert!(3 * map.walls().len() < raw.walls().len(), "{} of {}", map.walls().len(), raw.walls().len());
     assert_eq!(map.offset_m(), raw.offset_m());
@@ -204,14 +207,14 @@ fn the_stata_basement_is_one_building_of_few_walls() {
 #[test]
 fn a_yaml_that_names_an_absent_picture_is_an_error_naming_both() {
     let Some(folder) = shared("f1tenth") else { return };
-    let error = read_ros(&folder.join("porto.yaml"), Unknown::Rock, 0.06).unwrap_err().to_string();
+    let error = read_ros(&folder.join("porto.yaml"), Unknown::Rock, None, 0.06).unwrap_err().to_string();
     assert!(error.contains("porto.yaml") && error.contains("image") && error.contains("map.pgm"), "{error}");
 }
 
 #[test]
 fn the_middle_of_the_stata_basement_is_a_little_longer_than_its_shortest_way() {
     let Some(folder) = shared("f1tenth") else { return };
-    let map = read_ros(&folder.join("stata_basement.yaml"), Unknown::Rock, 0.06).unwrap();
+    let map = read_ros(&folder.join("stata_basement.yaml"), Unknown::Rock, None, 0.06).unwrap();
     let (from, to) = (map.to_local([-50.15, 34.03]), map.to_local([-4.0, 25.6]));
     let path = map.centre_path(from, to).unwrap();
     let shortest_m = map.geodesic(from).unwrap().distance_m(&map, to).unwrap();
