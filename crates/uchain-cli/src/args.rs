@@ -96,7 +96,7 @@ pub(crate) enum Command {
 #[command(mut_arg("out", |out| out.help("Folder for the results [default: runs/<scenario>-s<seed>, overwritten]")))]
 #[command(mut_arg("json", |json| json.help("Print the summary as JSON on stdout, and nothing else there")))]
 pub(crate) struct Run {
-    /// Name of a built-in scenario, or path of a file (holds a / or ends in .toml); a bare map (.map, .yaml) is explored
+    /// Name of a built-in scenario, or path of a file (holds a / or ends in .toml); a bare map (.map, .yaml, .pgm) is explored
     #[arg(value_name = "NAME|FILE", value_hint = ValueHint::FilePath)]
     pub(crate) scenario: String,
     /// Seed of all noise in the run

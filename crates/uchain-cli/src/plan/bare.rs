@@ -1,16 +1,13 @@
-//! What to plan for: a scenario, or a bare ROS map made into one.
+//! What to plan for: a scenario, or a bare map made into one.
 
 use std::path::Path;
 
-use uchain_sim::config::{ConfigError, Course, PilotStep, Source};
+use uchain_sim::config::{ConfigError, Course, PilotStep, Source, kind_of_map};
 
 use crate::{args::Plan, exit::Failure};
 
 /// The head's speed where nobody says (m/s).
 const SPEED_MPS: f32 = 0.2;
-
-/// Key of the map's file.
-const FILE: &str = "map.ros.file";
 
 /// A `--set` made of another argument: its assignment, and what was typed for it.
 struct Short {
@@ -22,9 +19,10 @@ struct Short {
 /// asks whether all of them find room to wait.
 #[expect(clippy::default_trait_access, reason = "the type of a pilot's `follow` is the core's")]
 pub(super) fn course(asked: &Plan) -> Result<(Course, Option<usize>), Failure> {
-    let is_map = is_map(&asked.what);
+    let key = key_of_file(&asked.what);
+    let is_map = key.is_some();
     let source = if is_map { bare(asked)? } else { Source::find(&asked.what)? };
-    let shorts = shorts(asked, is_map);
+    let shorts = shorts(asked, key.as_deref());
     let typed = asked.sets.set.iter().cloned();
     let sets: Vec<String> = shorts.iter().map(|short| short.assignment.clone()).chain(typed).collect();
     let mut course = Course::read(&source, &sets).map_err(|error| explain(error, asked, &shorts))?;
@@ -40,20 +38,19 @@ pub(super) fn course(asked: &Plan) -> Result<(Course, Option<usize>), Failure> {
     Ok((course, uavs))
 }
 
-fn is_map(what: &str) -> bool {
-    let end = Path::new(what).extension();
-    end.is_some_and(|end| end.eq_ignore_ascii_case("yaml") || end.eq_ignore_ascii_case("yml"))
+/// The key that a bare map's file goes to; `None` for a scenario.
+fn key_of_file(what: &str) -> Option<String> {
+    kind_of_map(Path::new(what)).map(|kind| format!("map.{kind}.file"))
 }
 
-fn shorts(asked: &Plan, is_map: bool) -> Vec<Short> {
+fn shorts(asked: &Plan, key: Option<&str>) -> Vec<Short> {
     let point = |key: &str, flag: &str, at: Option<[f64; 2]>| {
         at.map(|[x, y]| Short {
             assignment: format!("{key}=[{x:?}, {y:?}]"),
             typed: format!("{flag}={x},{y}"),
         })
     };
-    let map =
-        is_map.then(|| Short { assignment: format!("{FILE}={}", asked.what), typed: asked.what.clone() });
+    let map = key.map(|key| Short { assignment: format!("{key}={}", asked.what), typed: asked.what.clone() });
     let heading = asked.heading.map(|deg| Short {
         assignment: format!("chain.heading_deg={deg:?}"),
         typed: format!("--heading={deg}"),
@@ -66,7 +63,7 @@ fn shorts(asked: &Plan, is_map: bool) -> Vec<Short> {
 /// Names what was typed; of a bare map's own faults nobody typed a key.
 fn explain(error: ConfigError, asked: &Plan, shorts: &[Short]) -> Failure {
     match error {
-        ConfigError::Map { key, cause, .. } if key == FILE && is_map(&asked.what) => {
+        ConfigError::Map { key, cause, .. } if key_of_file(&asked.what).as_ref() == Some(&key) => {
             let cause = cause.to_string();
             let says_where = cause.starts_with(&asked.what);
             Failure::Map(if says_where { cause } else { format!("{}: {cause}", asked.what) })
@@ -77,7 +74,7 @@ fn explain(error: ConfigError, asked: &Plan, shorts: &[Short]) -> Failure {
     }
 }
 
-/// A scenario around a ROS map: one UAV at the base, ahead of it the goal.
+/// A scenario around a map: one UAV at the base, ahead of it the goal.
 fn bare(asked: &Plan) -> Result<Source, Failure> {
     let missing = match (asked.base, asked.goal) {
         (Some(_), Some(_)) => None,

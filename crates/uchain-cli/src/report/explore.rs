@@ -18,6 +18,8 @@ pub(crate) struct ExploreReport<'a> {
     version: &'a str,
 }
 
+/// Most robots of which each is listed.
+const EACH_MAX: usize = 12;
 /// Most unseen pieces listed to people.
 const UNSEEN_SHOWN: usize = 5;
 
@@ -42,8 +44,20 @@ impl<'a> ExploreReport<'a> {
             let _ = writeln!(text, "  {name:<10} {value}");
         };
         let list = |numbers: &mut dyn Iterator<Item = String>| numbers.collect::<Vec<_>>().join(", ");
-        let metres = |m: &[f64]| list(&mut m.iter().map(|m| format!("{m:.1}")));
-        let counts = |n: &[u32]| list(&mut n.iter().map(u32::to_string));
+        let metres = |m: &[f64]| {
+            if m.len() <= EACH_MAX {
+                return list(&mut m.iter().map(|m| format!("{m:.1}")));
+            }
+            let [least, mean, most] = spread(m);
+            format!("{least:.1} to {most:.1} (mean {mean:.1})")
+        };
+        let counts = |n: &[u32]| {
+            if n.len() <= EACH_MAX {
+                return list(&mut n.iter().map(u32::to_string));
+            }
+            let [least, mean, most] = spread(&n.iter().map(|&n| f64::from(n)).collect::<Vec<_>>());
+            format!("{least} to {most} (mean {mean:.1})")
+        };
         line("outcome", &summary.outcome);
         line(
             "iterations",
@@ -93,4 +107,11 @@ impl<'a> ExploreReport<'a> {
         line("files", files);
         text
     }
+}
+
+/// Least, mean and largest.
+fn spread(numbers: &[f64]) -> [f64; 3] {
+    let least = numbers.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    [least, numbers.iter().sum::<f64>() / numbers.len().max(1) as f64, most]
 }

@@ -6,7 +6,7 @@ use clap::{
     builder::StyledStr,
     error::{ContextKind, ContextValue, ErrorKind},
 };
-use uchain_sim::config::{ConfigError, Origin, Preset, builtin, help};
+use uchain_sim::config::{ConfigError, Origin, Preset, builtin, help, kind_of_map};
 
 use crate::{args::grammar, exit::Failure};
 
@@ -64,7 +64,7 @@ fn apart(args: &[OsString]) -> Option<String> {
 }
 
 fn forgotten(word: &str) -> Option<String> {
-    if is_map(word) {
+    if kind_of_map(Path::new(word)).is_some() {
         return Some(format!("to plan for a map: uchain plan {word} --base=X,Y --goal=X,Y"));
     }
     let is_scenario = builtin(word).is_some() || has_end(word, &["toml"]);
@@ -92,17 +92,18 @@ pub(crate) fn hint(failure: &Failure) -> Option<String> {
             let name = Path::new(label).file_stem()?.to_str()?;
             builtin(name).map(|_| format!("'{name}', without folder and .toml, is built in"))
         }
-        ConfigError::NotText { label, .. } | ConfigError::TooLong { label } => about_map(label),
-        ConfigError::Syntax { at: Origin::Line { label, .. } | Origin::Whole { label }, .. } => {
-            about_map(label).or_else(|| Some(TOML.to_owned()))
-        }
+        ConfigError::Syntax { at: Origin::Line { .. } | Origin::Whole { .. }, .. } => Some(TOML.to_owned()),
         ConfigError::UnknownKey { key, .. } => Some(about_key(key)),
         ConfigError::UnknownChoice { key, .. }
         | ConfigError::Missing { key, .. }
         | ConfigError::Invalid { key, .. } => {
             help::explain(key).is_ok().then(|| format!("what may stand there: uchain explain {key}"))
         }
-        ConfigError::Syntax { .. } | ConfigError::Set { .. } | ConfigError::Map { .. } => None,
+        ConfigError::NotText { .. }
+        | ConfigError::TooLong { .. }
+        | ConfigError::Syntax { .. }
+        | ConfigError::Set { .. }
+        | ConfigError::Map { .. } => None,
     }
 }
 
@@ -125,16 +126,7 @@ fn about_name(name: &str) -> Option<String> {
     if builtin(name).is_some() {
         return Some(format!("'{name}' is a scenario: uchain show {name}"));
     }
-    about_map(name)
-}
-
-fn about_map(name: &str) -> Option<String> {
-    let is_picture = has_end(name, &["pgm", "png"]);
-    is_picture.then(|| "a map's picture; name the yaml file that belongs to it".to_owned())
-}
-
-fn is_map(name: &str) -> bool {
-    has_end(name, &["yaml", "yml"])
+    None
 }
 
 fn has_end(name: &str, ends: &[&str]) -> bool {

@@ -21,4 +21,4 @@ pub use mission::{ExploreScenario, Mission, Site, TeamConfig, VehicleKind, descr
 pub use scenario::{
     ChainConfig, CorridorConfig, MapConfig, MovingAiConfig, PilotStep, RosConfig, Scenario, WallsConfig,
 };
-pub use source::{PRESETS, Preset, Source, TEXT_MAX_BYTES, builtin, builtin_names};
+pub use source::{PRESETS, Preset, Source, TEXT_MAX_BYTES, builtin, builtin_names, kind_of_map};

@@ -138,8 +138,8 @@ uchain_core::params! {
     #[derive(Serialize, Deserialize)]
     #[serde(deny_unknown_fields)]
     pub struct RosConfig {
-        /// Path of the yaml file, from the folder of the scenario file (from the working folder for a compiled-in
-        /// scenario).
+        /// Path of the yaml file, or of the picture alone (pgm, png; then cells are 0.05 m unless `cell_m` says otherwise),
+        /// from the folder of the scenario file (from the working folder for a compiled-in scenario).
         pub file: std::path::PathBuf;
         /// What cells of unknown state are.
         #[serde(default)]

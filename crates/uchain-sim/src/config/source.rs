@@ -110,7 +110,7 @@ pub fn builtin_names() -> &'static [&'static str] {
 
 impl Source {
     /// A compiled-in scenario by its name, or a file: what holds a `/` or ends in `.toml` is a file. A bare map (`.map`,
-    /// `.yaml`, `.yml`) stands for its exploration.
+    /// `.yaml`, `.pgm`, `.png`) stands for its exploration.
     ///
     /// # Errors
     /// [`ConfigError::UnknownScenario`] with the nearest name; those of [`Source::read`].
@@ -164,9 +164,16 @@ impl Source {
     }
 }
 
-/// The table that a bare map's file goes into.
-fn kind_of_map(path: &Path) -> Option<&'static str> {
-    const KINDS: [(&str, &str); 3] = [("map", "movingai"), ("yaml", "ros"), ("yml", "ros")];
+/// The kind of a map file by the end of its name, as its table within `[map]` is called; `None` for what is no map.
+///
+/// ```
+/// use uchain_sim::config::kind_of_map;
+/// assert_eq!(kind_of_map("city.map".as_ref()), Some("movingai"));
+/// assert_eq!(kind_of_map("mine.toml".as_ref()), None);
+/// ```
+pub fn kind_of_map(path: &Path) -> Option<&'static str> {
+    const KINDS: [(&str, &str); 5] =
+        [("map", "movingai"), ("yaml", "ros"), ("yml", "ros"), ("pgm", "ros"), ("png", "ros")];
     let end = path.extension()?.to_str()?;
     KINDS.iter().find(|(known, _)| end.eq_ignore_ascii_case(known)).map(|(_, kind)| *kind)
 }

@@ -73,7 +73,10 @@ impl Explorer {
 
     /// The first edge of the shortest way to a node; `None` if it is here or no way leads there.
     fn step(&mut self, ssg: &Ssg, here: usize, goal: usize, purpose: Purpose) -> Option<Leg> {
-        self.routes.search(ssg.graph(), here, |slot, _| slot == goal);
+        // Mostly its strategy has just come by there.
+        if !self.routes.knows(ssg.graph(), here, goal) {
+            self.routes.search(ssg.graph(), here, |slot, _| slot == goal);
+        }
         let next = self.routes.first_step(goal).filter(|&next| next != here)?;
         Some(Leg { to: ssg.at(next)?, end: End::Known(ssg.id(next)?), purpose, open: true, sent: false })
     }

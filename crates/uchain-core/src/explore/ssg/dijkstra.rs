@@ -10,6 +10,8 @@ use super::Graph;
 pub struct Dijkstra {
     /// Number of the search; what another one left behind is not looked at.
     search: u32,
+    /// Where the search began, and the nodes and edges there were: a graph only grows.
+    searched: Option<[usize; 3]>,
     reached: Vec<Reached>,
     /// Nodes by distance (bits: lengths are not negative), hops and name; then the slot.
     queue: BinaryHeap<Reverse<(u32, u32, u64, u32)>>,
@@ -35,6 +37,7 @@ impl Dijkstra {
             self.reached.clear();
             self.search = 1;
         }
+        self.searched = Some([from, graph.nodes(), graph.edges()]);
         self.reached.resize(graph.nodes(), Reached::default());
         self.queue.clear();
         self.reach(graph, from, from, 0.0, 0);
@@ -61,6 +64,11 @@ impl Dijkstra {
             *known = Reached { search, settled: false, distance_m, hops, before: before as u32 };
             self.queue.push(Reverse((distance_m.to_bits(), hops, name, node as u32)));
         }
+    }
+
+    /// Whether the last search was from this node in this very graph, and came to a node.
+    pub fn knows(&self, graph: &Graph, from: usize, to: usize) -> bool {
+        self.searched == Some([from, graph.nodes(), graph.edges()]) && self.settled(to).is_some()
     }
 
     fn settled(&self, node: usize) -> Option<&Reached> {

@@ -115,7 +115,7 @@ const BAD_LINES: &[(&str, &str, &str)] = &[
     (
         "[map.corridor]",
         "[map.ros]\nfile = \"x.yaml\"\n[map.corridor]",
-        "plain.toml:4: map = { … }: expected one of the tables [map.corridor], [map.walls] and [map.ros]",
+        "plain.toml:4: map = { … }: expected one of the tables [map.corridor], [map.walls], [map.movingai] and [map.ros]",
     ),
     ("width_m = 0.8", "width_m = -1", "plain.toml:6: map.corridor.width_m = -1: must lie in 0.1..=100"),
     (
@@ -218,7 +218,7 @@ fn a_bad_set_is_named_instead_of_a_line() {
         ("seed=4", "unknown key 'seed' (known: name, "),
         ("corridor.width_m=2", "unknown key 'corridor'; did you mean 'map.corridor'?"),
         ("map.width_m=0", "--set map.width_m=0: map.corridor.width_m = 0: must lie in 0.1..=100"),
-        ("map.cell_m=2", "--set map.cell_m=2: unknown key 'map.cell_m'; did you mean 'corridor'?"),
+        ("map.cell_m=2", "--set map.cell_m=2: unknown key 'map.cell_m'; did you mean 'map.movingai.cell_m'?"),
         ("alpha_wall=4", "unknown key 'alpha_wall'; did you mean 'radio.alpha_wall'? (known: name, "),
         ("alpha_wal=4", "unknown key 'alpha_wal'; did you mean 'radio.alpha_wall'?"),
         ("chain.radius_m=1", "unknown key 'chain.radius_m'; did you mean 'motion.radius_m'? (known: uavs, "),

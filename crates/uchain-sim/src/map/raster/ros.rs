@@ -23,10 +23,13 @@ use crate::map::{Map, MapError, Unknown};
 
 /// Most bytes of a yaml file.
 const MOST_YAML_BYTES: u64 = 1 << 16;
+/// Ends of the names of pictures.
+const PICTURES: [&str; 2] = ["pgm", "png"];
 /// Most bytes of a picture file.
 const MOST_PICTURE_BYTES: u64 = 1 << 28;
 
-/// Reads a `map_server` map. `cell_m` counts instead of the file's own `resolution` (m).
+/// Reads a `map_server` map. `cell_m` counts instead of the file's own `resolution` (m). A picture (pgm, png) stands
+/// for itself, with `map_saver`'s thresholds, its lower-left corner at the origin, and cells of 0.05 m.
 ///
 /// Walls are the edges between free cells and all others, each kept within `simplify_m` (0 to 1 m) of the cells'
 /// own edge; 0 keeps every step. Simplified walls never cross or touch, and every speck of rock and pocket of free
@@ -46,8 +49,14 @@ pub fn read_ros(
     if !(0.0..=1.0).contains(&simplify_m) {
         return Err(MapError::Range { what: "simplify_m", got: simplify_m, low: 0.0, high: 1.0 });
     }
-    let bytes = read(yaml, MOST_YAML_BYTES).map_err(|why| MapError::Read { file: yaml.to_owned(), why })?;
-    let mut meta = Meta::parse(yaml, &bytes)?;
+    let end = yaml.extension().unwrap_or_default();
+    let mut meta = if PICTURES.iter().any(|picture| end.eq_ignore_ascii_case(picture)) {
+        Meta::of_picture(yaml)
+    } else {
+        let bytes =
+            read(yaml, MOST_YAML_BYTES).map_err(|why| MapError::Read { file: yaml.to_owned(), why })?;
+        Meta::parse(yaml, &bytes)?
+    };
     meta.resolution_m = cell_m.unwrap_or(meta.resolution_m);
     let image = yaml.parent().unwrap_or(Path::new("")).join(&meta.image);
     let wrong = |why: String| MapError::Image { file: yaml.to_owned(), image: image.clone(), why };
@@ -101,6 +110,13 @@ impl Meta {
         let turn = DVec2::new(libm::cos(yaw_rad), libm::sin(yaw_rad));
         let levels = Levels { negate, occupied, free };
         Ok(Self { image, resolution_m, corner: DVec2::new(x, y), turn, levels })
+    }
+
+    /// What `map_saver` writes, for a picture without a yaml file.
+    fn of_picture(picture: &Path) -> Self {
+        let image = PathBuf::from(picture.file_name().unwrap_or_default());
+        let levels = Levels { negate: false, occupied: 0.65, free: 0.196 };
+        Self { image, resolution_m: 0.05, corner: DVec2::ZERO, turn: DVec2::X, levels }
     }
 
     /// A place in cells from the picture's lower-left corner, in the file's own frame (m).

@@ -36,6 +36,16 @@ fn a_map_stands_where_its_yaml_says_with_its_first_row_on_top() {
 }
 
 #[test]
+fn a_picture_without_a_yaml_is_read_as_map_saver_writes_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("room.pgm");
+    fs::write(&file, PGM).unwrap();
+    let bounds = |cell_m| read_ros(&file, Unknown::Rock, cell_m, 0.0).unwrap().bounds();
+    assert_eq!(bounds(None), (vec2(-0.05, -0.025), vec2(0.05, 0.025)));
+    assert_eq!(bounds(Some(2.0)), (vec2(-2.0, -1.0), vec2(2.0, 1.0)));
+}
+
+#[test]
 fn yaw_turns_the_picture_about_its_lower_left_corner() {
     let map = read(&YAML.replace("0.0]", "1.5707963267948966]"), PGM.as_bytes(), Unknown::Rock).unwrap();
     // The free row lay 0.5 m to 1 m above the corner; a quarter turn left puts it to the left of the corner.
