@@ -45,12 +45,7 @@ impl Gaps {
     /// For robots of a radius, with a downwash of a radius (m).
     pub(super) fn new(robots: u16, r_body_m: f32, downwash_m: f32) -> Self {
         let robots = usize::from(robots);
-        let far = Pair {
-            least_m: f64::INFINITY,
-            beside_m: f64::INFINITY,
-            below_m: f64::INFINITY,
-            ticks: 0,
-        };
+        let far = Pair { least_m: f64::INFINITY, beside_m: f64::INFINITY, below_m: f64::INFINITY, ticks: 0 };
         Self {
             body_m: 2.0 * f64::from(r_body_m),
             downwash_m: downwash_m.into(),
@@ -106,5 +101,44 @@ impl Gaps {
     /// Per robot, how long it was in the downwash of any other one (s).
     pub(super) fn downwash_s(&self) -> Vec<f64> {
         self.under.iter().map(|&ticks| ticks as f64 / TICKS_PER_S).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use uchain_core::explore::Purpose;
+
+    use super::*;
+
+    fn at(x_m: f32, z_m: f32) -> RobotFrame {
+        RobotFrame {
+            x_m,
+            y_m: 0.0,
+            z_m,
+            heading_rad: 0.0,
+            level: 1,
+            purpose: Purpose::Wait,
+            moves: false,
+            holds: false,
+            mfl: false,
+            wall_contacts: 0,
+            robot_contacts: 0,
+            level_passes: 0,
+        }
+    }
+
+    #[test]
+    fn the_lower_of_two_is_in_the_downwash_and_two_side_by_side_are_not() {
+        let mut gaps = Gaps::new(3, 0.1, 0.3);
+        // Robot 1 flies under robot 0; robot 2 stays away, then comes beside robot 0.
+        gaps.look(&[at(0.0, 1.5), at(0.25, 0.5), at(3.0, 1.5)]);
+        gaps.look(&[at(0.0, 1.5), at(0.0, 1.0), at(0.4, 1.5)]);
+        assert_eq!(gaps.downwash_s(), [0.0, 0.1, 0.0]);
+        let [near, beside, far] = gaps.gaps().try_into().unwrap();
+        assert_eq!(near.robots, [0, 2]);
+        assert!((near.beside_m.unwrap() - 0.4).abs() < 1e-6 && near.below_m.is_none(), "{near:?}");
+        assert_eq!((beside.robots, beside.below_m, beside.beside_m), ([0, 1], Some(0.5), None));
+        assert_eq!((beside.least_m, beside.downwash_s), (0.5, 0.1));
+        assert_eq!((far.robots, far.downwash_s, far.beside_m), ([1, 2], 0.0, None));
     }
 }

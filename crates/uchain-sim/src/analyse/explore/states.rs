@@ -30,7 +30,7 @@ pub struct States {
 impl States {
     /// One tick has passed.
     pub(super) fn look(&mut self, frame: &ExploreFrame) {
-        if frame.tick % (1 << self.spacing) != 0 {
+        if !frame.tick.is_multiple_of(1 << self.spacing) {
             return;
         }
         self.moments.push(Moment {

@@ -53,7 +53,9 @@ fn fly(body: &mut Quadrotor, to: Waypoint) -> Seen {
         more(&mut seen.over_m, (here.z_m - from.z_m.max(to.z_m)).max(from.z_m.min(to.z_m) - here.z_m));
         let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| body.state.attitude * axis);
         let skews = [x.dot(y), y.dot(z), z.dot(x), x.length() - 1.0, y.length() - 1.0, z.length() - 1.0];
-        skews.into_iter().for_each(|skew| more(&mut seen.skew, skew.abs()));
+        for skew in skews {
+            more(&mut seen.skew, skew.abs());
+        }
         if body.has_arrived() {
             left -= 1;
         } else {
