@@ -207,7 +207,7 @@ fn invalid_input_exits_with_3_says_where_and_writes_nothing() {
         (&["run", "cornr"], "error: unknown scenario 'cornr'; did you mean 'corner'?"),
         (
             &["run", "zzzzzzzz"],
-            "unknown scenario 'zzzzzzzz' (known: apartment, bend, circuit, circuit-cavemod, circuit-frontiers2021, corner, corridors, staircase, stata, straight); a path to a file works as well",
+            "unknown scenario 'zzzzzzzz' (known: apartment, bend, circuit, circuit-cavemod, circuit-frontiers2021, corner, corridors, lab, staircase, stata, straight); a path to a file works as well",
         ),
         (&["run", "absent.toml"], "error: absent.toml: cannot read the scenario: No such file"),
         (&["run", "./absent"], "error: ./absent: cannot read the scenario: No such file"),

@@ -15,7 +15,7 @@ fn an_exploration_leaves_its_numbers_a_picture_and_a_map_that_is_flown_through_n
     assert_eq!(said["distance_m"].as_array().unwrap().len(), 4);
     let out = here.path().join("out");
     let names: Vec<_> = files(&out).iter().map(|path| path.file_name().unwrap().to_owned()).collect();
-    assert_eq!(names, ["map.pgm", "map.yaml", "run.mcap", "run.png", "summary.json"]);
+    assert_eq!(names, ["map.pgm", "map.yaml", "run.mcap", "run.png", "states.png", "summary.json"]);
     assert_eq!(fs::read_to_string(out.join("summary.json")).unwrap(), stdout(&run));
     assert!(fs::read(out.join("run.png")).unwrap().starts_with(b"\x89PNG"));
     // The folder is ours, and can be written again.
@@ -64,7 +64,7 @@ fn a_recorded_exploration_is_inspected_verified_and_told_from_another_one() {
     assert_eq!(bare.status.code(), Some(0));
     let names: Vec<_> =
         files(&here.path().join("bare")).iter().map(|path| path.file_name().unwrap().to_owned()).collect();
-    assert_eq!(names, ["map.pgm", "map.yaml", "run.png", "summary.json"]);
+    assert_eq!(names, ["map.pgm", "map.yaml", "run.png", "states.png", "summary.json"]);
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod invariants;
 mod paths;
 mod recording;
 mod table;
+mod vehicles;
 
 use uchain_sim::{
     analyse::explore::ExploreSummary,

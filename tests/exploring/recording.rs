@@ -53,6 +53,7 @@ fn a_recorded_exploration_has_the_summary_and_the_picture_of_the_one_that_was_fl
     for (name, sets) in [
         ("apartment", &["explore.strategy=srg", "explore.position_sigma_m=0.02"][..]),
         ("corridors", &["explore.robots=2", "explore.range_m=3", "explore.scan_s=1"]),
+        ("lab", &["explore.quadrotor.snap=false"]),
     ] {
         let site = site(name, sets);
         let mut both = (ExploreRecorder::start(Vec::new(), &site, 2).unwrap(), ExploreHistory::default());

@@ -36,8 +36,8 @@ impl Names {
 /// What `uchain run` leaves of a chain.
 pub(crate) const RUN: Names =
     Names { numbers: "summary.json", picture: "run.png", recording: Some("run.mcap"), others: &[] };
-/// What `uchain run` leaves of an exploration: besides, the explored map as a ROS map.
-pub(crate) const EXPLORE: Names = Names { others: &["map.pgm", "map.yaml"], ..RUN };
+/// What `uchain run` leaves of an exploration: besides, the explored map as a ROS map, and where robots were over time.
+pub(crate) const EXPLORE: Names = Names { others: &["map.pgm", "map.yaml", "states.png"], ..RUN };
 /// What `uchain plan` leaves.
 pub(crate) const PLAN: Names =
     Names { numbers: "plan.json", picture: "plan.png", recording: None, others: &[] };

@@ -12,7 +12,7 @@ use crate::{
     record::{ExploreFrame, NodeFrame, RecordError, Recorder, RobotFrame, Stopped, TICKS_PER_S, whole_ticks},
     seed::{Seed, Source, Stream},
     sense::Scanner,
-    world::{Fleet, PointMass, Vehicle, Waypoint},
+    world::{Fleet, PointMass, Quadrotor, Vehicle, Waypoint},
 };
 
 /// What one robot sees at the start of a round: where it believes it is, and a scan if it asked for one.
@@ -28,6 +28,8 @@ pub struct Exploration<'a> {
     /// Noise of where robots believe they are.
     noise: Vec<Stream>,
     seen: Vec<Seen>,
+    /// Where robots stood when the round began.
+    stood: Vec<Vec2>,
     tick: u64,
     rounds: u32,
     /// Whether robots look around where they come to.
@@ -52,6 +54,9 @@ impl<'a> Exploration<'a> {
         let body = |at| -> Box<dyn Vehicle> {
             match team.vehicle {
                 VehicleKind::PointMass => Box::new(PointMass::new(at, team.v_mps, team.climb_mps)),
+                VehicleKind::Quadrotor => {
+                    Box::new(Quadrotor::new(at, &team.quadrotor, team.v_mps, team.climb_mps))
+                }
             }
         };
         let robots = 0..u32::from(team.robots);
@@ -75,6 +80,7 @@ impl<'a> Exploration<'a> {
             scanner: Scanner::new(params),
             noise: robots.map(|i| seed.stream(i, Source::Position)).collect(),
             seen: vec![(Pose::default(), Some(Vec::new())); vehicles.len()],
+            stood: Vec::with_capacity(vehicles.len()),
             tick: 0,
             rounds: 0,
             scanning: true,
@@ -126,7 +132,9 @@ impl<'a> Exploration<'a> {
 
     fn sense(&mut self) {
         let sigma_m = self.site.scenario.team.position_sigma_m;
-        for ((body, seen), noise) in self.fleet.now().zip(&mut self.seen).zip(&mut self.noise) {
+        self.stood.clear();
+        for ((body, seen), noise) in self.fleet.stand().zip(&mut self.seen).zip(&mut self.noise) {
+            self.stood.push(body.at);
             let (pose, scan) = seen;
             let off =
                 if sigma_m > 0.0 { sigma_m * Vec2::new(noise.normal(), noise.normal()) } else { Vec2::ZERO };
@@ -138,7 +146,7 @@ impl<'a> Exploration<'a> {
     }
 
     fn decide(&mut self) -> Option<Stopped> {
-        let places: Vec<Point> = self.fleet.now().map(|body| point(body.at)).collect();
+        let places: Vec<Point> = self.stood.iter().copied().map(point).collect();
         self.rounds += 1;
         let over = self.team.round(&self.seen, &places);
         // A round in which nobody has anything left to do is none.
@@ -146,15 +154,14 @@ impl<'a> Exploration<'a> {
         over
     }
 
-    /// A robot flies as far and in the direction it has asked for, from where it really is.
+    /// A robot flies as far and in the direction it has asked for, from where it stands.
     fn act(&mut self) {
         self.ready = None;
         self.scanning = false;
-        let now: Vec<Waypoint> = self.fleet.now().collect();
-        for (i, command) in self.team.commands().iter().enumerate() {
+        for ((i, command), &from) in self.team.commands().iter().enumerate().zip(&self.stood) {
             let (pose, scan) = &mut self.seen[i];
             let asked = Vec2::new(command.to.x_m - pose.at.x_m, command.to.y_m - pose.at.y_m);
-            let at = if point(now[i].at) == pose.at { place(command.to) } else { now[i].at + asked };
+            let at = if point(from) == pose.at { place(command.to) } else { from + asked };
             self.fleet.fly_to(i, Waypoint { at, z_m: command.z_m, heading_rad: command.heading_rad });
             *scan = command.scan.then(Vec::new);
             self.scanning |= command.scan;
@@ -179,10 +186,8 @@ impl<'a> Exploration<'a> {
             let count = whole.cones().count();
             for (slot, sectors) in news.nodes.clone().zip(news.sectors.chunks(count)) {
                 let (Some(id), Some(at)) = (whole.id(slot), whole.at(slot)) else { continue };
-                // Its robot stood there when the round began, and was seen there in the last frame.
-                let robot = frame.robots.get(usize::from(id.robot));
-                let at_m = robot.map_or([at.x_m, at.y_m], |robot| [robot.x_m, robot.y_m]);
                 let believed_m = [at.x_m, at.y_m];
+                let at_m = self.stood.get(usize::from(id.robot)).map_or(believed_m, Vec2::to_array);
                 frame.nodes.push(NodeFrame { id, at_m, believed_m, sectors: sectors.to_vec() });
             }
             frame.labels.extend_from_slice(&news.labels);

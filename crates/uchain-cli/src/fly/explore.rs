@@ -31,13 +31,14 @@ pub(crate) fn explore(asked: &Run, site: &Site) -> Result<(), Failure> {
     watch.end();
     let ((summary, survey), wall_s) = recording::end(flown, tape)?;
     let picture = draw::explore_png(site, &history, &survey, &summary)?;
+    let states = draw::states_png(site, &history, &summary)?;
     let map = RosMap::explored(&site.map, site.ground(), &history.nodes, site.scenario.params.r_s_m);
     let report = ExploreReport::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));
     let json = report.json()?;
     if interrupted() {
         return Err(Failure::Interrupted);
     }
-    folder.write(&names, json.as_bytes(), &picture, &[&map.pgm, map.yaml.as_bytes()])?;
+    folder.write(&names, json.as_bytes(), &picture, &[&map.pgm, map.yaml.as_bytes(), &states])?;
     asked.say.result(&json, || report.text(&folder.says(&names)))
 }
 

@@ -103,6 +103,12 @@ impl<'a> ExploreReport<'a> {
                 summary.wall_contacts, summary.robot_contacts, summary.level_passes
             ),
         );
+        let seconds = |s: &[f64]| list(&mut s.iter().map(|s| format!("{s:.1}")));
+        line("downwash", &format!("{} s below another robot", seconds(&summary.downwash_s)));
+        if let Some(gap) = summary.gaps.first() {
+            let [i, j] = gap.robots;
+            line("gaps", &format!("{:.2} m at least, between robots {i} and {j}", gap.least_m));
+        }
         line("digest", &summary.digest);
         line("files", files);
         text

@@ -13,7 +13,7 @@ use super::{
 use crate::{
     radio::{Dead, Deaf, FaultConfig, PacketParams, PathLossParams},
     sense::{FlowParams, TofParams},
-    world::MotionParams,
+    world::{MotionParams, QuadrotorParams},
 };
 
 /// What the top of a scenario file may hold beside [`Scenario::KEYS`].
@@ -25,7 +25,7 @@ pub(super) const EXPLORE: Key = Key {
 };
 
 /// Every table with its keys, some in several parts; of a list of tables the first entry stands for all.
-pub(super) const TABLES: [(&str, &[Key]); 23] = [
+pub(super) const TABLES: [(&str, &[Key]); 24] = [
     ("", Scenario::KEYS),
     ("", &[EXPLORE]),
     ("map.corridor", CorridorConfig::KEYS),
@@ -49,6 +49,7 @@ pub(super) const TABLES: [(&str, &[Key]); 23] = [
     ("motion", MotionParams::KEYS),
     ("explore", TeamConfig::KEYS),
     ("explore", ExploreParams::KEYS),
+    ("explore.quadrotor", QuadrotorParams::KEYS),
 ];
 
 /// Whether a table has this key.

@@ -11,7 +11,7 @@ use super::{ConfigError, check::NAME_LENGTH_MAX, diagnose::Choices};
 pub const TEXT_MAX_BYTES: u64 = 1 << 20;
 
 /// The compiled-in scenarios; the one list of them.
-const BUILTIN: [(&str, &str); 10] = [
+const BUILTIN: [(&str, &str); 11] = [
     ("apartment", include_str!("../../scenarios/apartment.toml")),
     ("bend", include_str!("../../scenarios/bend.toml")),
     ("circuit", include_str!("../../scenarios/circuit.toml")),
@@ -19,6 +19,7 @@ const BUILTIN: [(&str, &str); 10] = [
     ("circuit-frontiers2021", include_str!("../../scenarios/circuit-frontiers2021.toml")),
     ("corner", include_str!("../../scenarios/corner.toml")),
     ("corridors", include_str!("../../scenarios/corridors.toml")),
+    ("lab", include_str!("../../scenarios/lab.toml")),
     ("staircase", include_str!("../../scenarios/staircase.toml")),
     ("stata", include_str!("../../scenarios/stata.toml")),
     ("straight", include_str!("../../scenarios/straight.toml")),

@@ -15,7 +15,7 @@ use crate::{
     config::Course,
     record::History,
 };
-pub use explore::explore_png;
+pub use explore::{explore_png, states_png};
 use losses::Losses;
 use panel::{FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE};
 use tunnel::Tunnel;

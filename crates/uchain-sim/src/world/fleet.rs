@@ -28,6 +28,10 @@ pub trait Vehicle: std::fmt::Debug + Send {
     fn now(&self) -> Waypoint;
     /// Whether it is where it was told to be.
     fn has_arrived(&self) -> bool;
+    /// Where it counts as being once it has arrived: from there it scans and decides.
+    fn stands(&self) -> Waypoint {
+        self.now()
+    }
 }
 
 /// A point that flies straight: over ground at one speed, and to its new height evenly along the way. Where the way is
@@ -148,6 +152,11 @@ impl<'a> Fleet<'a> {
     /// Where robots are.
     pub fn now(&self) -> impl Iterator<Item = Waypoint> + '_ {
         self.vehicles.iter().map(|vehicle| vehicle.now())
+    }
+
+    /// Where robots count as being once they have arrived.
+    pub fn stand(&self) -> impl Iterator<Item = Waypoint> + '_ {
+        self.vehicles.iter().map(|vehicle| vehicle.stands())
     }
 
     /// Whether all are where they were told to be.

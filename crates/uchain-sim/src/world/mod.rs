@@ -5,6 +5,7 @@ mod crowd;
 mod fleet;
 mod gate;
 mod motion;
+mod quadrotor;
 
 use glam::Vec2;
 use uchain_core::chain::Command;
@@ -15,6 +16,7 @@ use crowd::Crowd;
 pub use fleet::{Fleet, PointMass, Touches, Vehicle, Waypoint};
 use gate::{Gate, GateMode};
 pub use motion::{Body, MotionParams};
+pub use quadrotor::{Quadrotor, QuadrotorParams};
 
 /// All UAVs of a run and the walls around them.
 #[derive(Debug)]

@@ -12,12 +12,14 @@ use crate::house::{House, read, run};
 type Mission = (&'static str, &'static [&'static str]);
 
 /// A clean flight; one whose laws are switched off so that it ends at a wall, where rapier moves the body; one with
-/// the other speed law and with tunnel distances in its radio; an exploration with all that is random in one.
-const MISSIONS: [Mission; 4] = [
+/// the other speed law and with tunnel distances in its radio; an exploration with all that is random in one; one with
+/// quadrotors.
+const MISSIONS: [Mission; 5] = [
     ("corner", &[]),
     ("corner", &["center.c_t_per_s=0.0", "center.c_r_rad_per_s_m=0.0"]),
     ("circuit-frontiers2021", &[]),
     ("apartment", &["explore.position_sigma_m=0.02", "explore.scan_s=0.2", "explore.range_m=3"]),
+    ("lab", &[]),
 ];
 
 /// Makes the system's C library choose its functions as on a CPU without FMA and AVX2 (glibc on x86-64).

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use uchain_core::explore::{Label, NodeId};
 
+use super::States;
 use crate::record::{ExploreFrame, NodeFrame, RecordError, Recorder};
 
 /// Least distance between two kept places of a way (m), at first.
@@ -11,7 +12,7 @@ const STEP_M: f32 = 0.05;
 /// Most kept places of all ways.
 const PLACES_MAX: usize = 1_000_000;
 
-/// Keeps nodes with their labels of now, edges, and the ways of all robots, in bounded memory: long ways are kept
+/// Keeps nodes with their labels of now, edges, and the ways and states of all robots, in bounded memory: long ways are kept
 /// coarser.
 #[derive(Debug, Clone, Default)]
 pub struct ExploreHistory {
@@ -21,6 +22,8 @@ pub struct ExploreHistory {
     pub edges: Vec<[NodeId; 2]>,
     /// Per robot, the places it flew through, in the map's frame (m).
     pub ways_m: Vec<Vec<[f32; 2]>>,
+    /// Places and headings over time.
+    pub states: States,
     slots: BTreeMap<NodeId, usize>,
     step_m: f32,
     places: usize,
@@ -70,6 +73,7 @@ impl Recorder<ExploreFrame> for ExploreHistory {
         if frame.decision {
             self.decision(frame);
         }
+        self.states.look(frame);
         self.step_m = self.step_m.max(STEP_M);
         self.ways_m.resize(frame.robots.len(), Vec::new());
         for (way, robot) in self.ways_m.iter_mut().zip(&frame.robots) {

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec2};
 
-use super::{Coverage, ExploreSummary};
+use super::{Coverage, ExploreSummary, gaps::Gaps};
 use crate::{
     config::Site,
     record::{ExploreFrame, RecordError, Recorder, RobotFrame, Stopped, TICKS_PER_S},
@@ -16,6 +16,7 @@ pub struct ExploreMetrics<'a> {
     /// Times (s) and coverage (1), from each round with new nodes on.
     curve: Vec<(f64, f64)>,
     robots: Vec<Tally>,
+    gaps: Gaps,
     nodes: Vec<u32>,
     edges: u32,
     hubs: u32,
@@ -54,12 +55,14 @@ fn place(robot: &RobotFrame) -> DVec3 {
 impl<'a> ExploreMetrics<'a> {
     /// For a run on this site.
     pub fn new(site: &'a Site) -> Self {
+        let (team, params) = (&site.scenario.team, &site.scenario.params);
         Self {
             site,
-            coverage: Coverage::new(site.ground(), site.scenario.params.r_s_m),
+            coverage: Coverage::new(site.ground(), params.r_s_m),
             curve: Vec::new(),
             robots: Vec::new(),
-            nodes: vec![0; usize::from(site.scenario.team.robots)],
+            gaps: Gaps::new(team.robots, params.r_body_m, team.downwash_radius_m),
+            nodes: vec![0; usize::from(team.robots)],
             edges: 0,
             hubs: 0,
             rounds: 0,
@@ -83,12 +86,15 @@ impl<'a> ExploreMetrics<'a> {
             let reached = self.curve.iter().find(|(_, seen)| *seen >= share * coverage);
             reached.map_or(self.time_s, |(time_s, _)| *time_s)
         };
+        let mut gaps = self.gaps.gaps();
+        gaps.truncate(ExploreSummary::GAPS_MAX);
         let scenario = &self.site.scenario;
         let summary = ExploreSummary {
             scenario: scenario.name.clone(),
             seed,
             strategy: scenario.params.strategy,
             robots: scenario.team.robots,
+            vehicle: scenario.team.vehicle,
             stopped: self.stopped,
             outcome: self.stopped.words().to_owned(),
             sim_s: self.time_s,
@@ -113,6 +119,8 @@ impl<'a> ExploreMetrics<'a> {
             wall_contacts: self.robots.iter().map(|robot| robot.wall_contacts).sum(),
             robot_contacts: self.robots.iter().map(|robot| robot.robot_contacts).sum::<u32>() / 2,
             level_passes: self.robots.iter().map(|robot| robot.level_passes).sum::<u32>() / 2,
+            downwash_s: self.gaps.downwash_s(),
+            gaps,
             digest,
         };
         (summary, Survey { curve: self.curve, coverage: self.coverage })
@@ -166,6 +174,7 @@ impl Recorder<ExploreFrame> for ExploreMetrics<'_> {
             (tally.wall_contacts, tally.robot_contacts) = (robot.wall_contacts, robot.robot_contacts);
             tally.level_passes = robot.level_passes;
         }
+        self.gaps.look(&frame.robots);
         self.rounds = frame.rounds;
         self.mfl_ticks += u64::from(frame.robots.iter().any(|robot| robot.mfl));
         // The last tick of an exploration that is over belongs to nobody.

@@ -1,15 +1,19 @@
 //! What an exploration came to, from its frames.
 
 mod coverage;
+mod gaps;
 mod ground;
 mod history;
 mod metrics;
 mod ros_map;
+mod states;
 mod summary;
 
 pub use coverage::{Coverage, Unseen};
+pub use gaps::Gap;
 pub use ground::Ground;
 pub use history::ExploreHistory;
 pub use metrics::{ExploreMetrics, Survey};
 pub use ros_map::RosMap;
+pub use states::{Moment, States};
 pub use summary::ExploreSummary;

@@ -3,8 +3,8 @@
 use serde::Serialize;
 use uchain_core::explore::Strategy;
 
-use super::Unseen;
-use crate::record::Stopped;
+use super::{Gap, Unseen};
+use crate::{config::VehicleKind, record::Stopped};
 
 /// What one exploration came to. A function of (scenario, seed): nothing here is measured by a clock.
 ///
@@ -20,6 +20,8 @@ pub struct ExploreSummary {
     pub strategy: Strategy,
     /// Robots.
     pub robots: u16,
+    /// What flew.
+    pub vehicle: VehicleKind,
     /// Why it ended.
     pub stopped: Stopped,
     /// The same in words.
@@ -70,6 +72,10 @@ pub struct ExploreSummary {
     /// Times that two robots, one of which changed its level, came nearer through the air than two radii. Kim 2021
     /// chooses levels for the end of a move, not for the way there.
     pub level_passes: u32,
+    /// Time in the downwash of any other robot, by robot (s); see [`Gap`].
+    pub downwash_s: Vec<f64>,
+    /// How near robots came to each other, pair by pair, the nearest first; at most [`ExploreSummary::GAPS_MAX`].
+    pub gaps: Vec<Gap>,
     /// Hash over every bit of every frame, 16 hex digits.
     pub digest: String,
 }
@@ -77,6 +83,9 @@ pub struct ExploreSummary {
 impl ExploreSummary {
     /// Most unseen pieces that are listed.
     pub const UNSEEN_MAX: usize = 20;
+
+    /// Most pairs of robots that are listed.
+    pub const GAPS_MAX: usize = 200;
 
     /// Mean way over ground of a robot (m).
     pub fn distance_mean_m(&self) -> f64 {

@@ -10,10 +10,11 @@ pub struct Unit {
 }
 
 /// What stands at the end of a key's name, the longer before the shorter.
-const SUFFIXES: [(&str, Unit); 15] = [
+const SUFFIXES: [(&str, Unit); 17] = [
     ("_db2_per_s", Unit { symbol: "dB²/s", words: "decibels squared per second" }),
     ("_rad_per_s_m", Unit { symbol: "rad/(s·m)", words: "radians per second and metre" }),
     ("_db_per_m", Unit { symbol: "dB/m", words: "decibels per metre" }),
+    ("_per_s2", Unit { symbol: "1/s²", words: "per second squared" }),
     ("_per_s", Unit { symbol: "1/s", words: "per second" }),
     ("_radps", Unit { symbol: "rad/s", words: "radians per second" }),
     ("_mps2", Unit { symbol: "m/s²", words: "metres per second squared" }),
@@ -23,6 +24,7 @@ const SUFFIXES: [(&str, Unit); 15] = [
     ("_packets", Unit { symbol: "packets", words: "packets" }),
     ("_deg", Unit { symbol: "degrees", words: "degrees" }),
     ("_rad", Unit { symbol: "rad", words: "radians" }),
+    ("_kg", Unit { symbol: "kg", words: "kilograms" }),
     ("_db", Unit { symbol: "dB", words: "decibels" }),
     ("_m", Unit { symbol: "m", words: "metres" }),
     ("_s", Unit { symbol: "s", words: "seconds" }),

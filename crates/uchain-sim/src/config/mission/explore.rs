@@ -17,6 +17,7 @@ use crate::config::{
     document::Document,
     load::explain,
 };
+use crate::world::QuadrotorParams;
 
 /// Keys of a scenario that only chains have.
 pub(crate) const CHAIN_ONLY: [&str; 14] = [
@@ -60,6 +61,8 @@ pub enum VehicleKind {
     /// A point that flies straight at one speed.
     #[default]
     PointMass,
+    /// A quadrotor with six degrees of freedom, as `[explore.quadrotor]` says.
+    Quadrotor,
 }
 
 uchain_core::params! {
@@ -96,14 +99,20 @@ uchain_core::params! {
         /// Standard deviation of where a robot believes it is, along x and along y, at every new observation (m).
         /// - Source: ours
         pub position_sigma_m: f32 = 0.0, in 0.0..=1.0;
+        /// How far over ground from a robot above one counts as being in its downwash (m). It is counted; nobody feels
+        /// it.
+        /// - Source: ours (the arm of Kim 2021, §7.2, 0.2 m, and a rotor of 0.1 m)
+        pub downwash_radius_m: f32 = 0.3, in 0.0..=10.0;
         /// What flies.
         pub vehicle: VehicleKind = VehicleKind::PointMass;
-        /// Ground speed (m/s).
+        /// Ground speed (m/s); the greatest one of a quadrotor.
         /// - Source: ours
         pub v_mps: f32 = 0.5, in 0.01..=20.0;
         /// Greatest speed of climb and descent (m/s).
         /// - Source: ours
         pub climb_mps: f32 = 0.5, in 0.01..=20.0;
+        /// The quadrotor, where that is what flies.
+        pub quadrotor: QuadrotorParams = QuadrotorParams::default();
     }
 }
 
@@ -192,6 +201,7 @@ impl ExploreScenario {
         self.team.check().map_err(in_explore)?;
         self.params.check().map_err(in_explore)?;
         self.team.start_m.map_or(Ok(()), |at| check.point("explore.start_m", at))?;
+        check.ranged("explore.quadrotor", self.team.quadrotor.check())?;
         for (i, &at) in self.team.spawns_m.iter().enumerate() {
             check.point(&format!("explore.spawns_m.{i}"), at)?;
         }

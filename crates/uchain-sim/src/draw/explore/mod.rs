@@ -2,6 +2,7 @@
 
 mod graph;
 mod stars;
+mod states;
 mod time;
 
 use glam::DVec2;
@@ -15,6 +16,8 @@ use crate::{
     analyse::explore::{ExploreHistory, ExploreSummary, Survey},
     config::Site,
 };
+
+pub use states::states_png;
 
 /// Lowest and highest box of a map.
 const HEIGHTS: (f64, f64) = (160.0, 620.0);
@@ -48,7 +51,7 @@ pub fn explore_png(
     let middle = sheet.panel(above.bottom() + 52.0);
     let below = sheet.time_panel(middle.bottom() + 58.0);
     let mut scene = Scene::new(FIGURE_WIDTH, below.bottom() + 44.0);
-    panel::text(&mut scene, (above.left(), 20.0), TEXT_LARGE, &sheet.headline());
+    panel::text(&mut scene, (above.left(), 20.0), TEXT_LARGE, &headline(summary));
     panel::text(&mut scene, (above.left(), 38.0), TEXT_LABEL, &sheet.figures());
     sheet.draw_stars(&mut scene, &above);
     sheet.draw_graph(&mut scene, &middle);
@@ -57,13 +60,6 @@ pub fn explore_png(
 }
 
 impl Sheet<'_> {
-    fn headline(&self) -> String {
-        let ExploreSummary { scenario, seed, robots, outcome, strategy, .. } = self.summary;
-        let s = if *robots == 1 { "" } else { "s" };
-        let strategy = strategy.word();
-        format!("{scenario}, seed {seed}, {strategy}, {robots} robot{s}: {outcome}")
-    }
-
     fn figures(&self) -> String {
         let summary = self.summary;
         format!(
@@ -97,4 +93,11 @@ impl Sheet<'_> {
     fn robots(&self) -> usize {
         self.history.ways_m.len()
     }
+}
+
+fn headline(summary: &ExploreSummary) -> String {
+    let ExploreSummary { scenario, seed, robots, outcome, strategy, .. } = summary;
+    let s = if *robots == 1 { "" } else { "s" };
+    let strategy = strategy.word();
+    format!("{scenario}, seed {seed}, {strategy}, {robots} robot{s}: {outcome}")
 }

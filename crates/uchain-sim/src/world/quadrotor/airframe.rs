@@ -1,0 +1,123 @@
+//! A rigid body that four rotors lift and turn. Axes of the body: x to the front, y to the left, z up.
+
+use glam::{Quat, Vec3};
+
+use super::QuadrotorParams;
+
+/// Standard gravity (m/s²).
+pub(super) const GRAVITY_MPS2: f32 = 9.806_65;
+
+/// Most that a body spins (rad/s). What is flown by a law that cannot hold it stays within numbers.
+const SPIN_MAX_RADPS: f32 = 100.0;
+
+/// What is built.
+#[derive(Debug, Clone)]
+pub(super) struct Airframe {
+    pub(super) mass_kg: f32,
+    arm_m: f32,
+    drag_arm_m: f32,
+    rotor_max_n: f32,
+    /// Moments of inertia about the axes (kg m²).
+    pub(super) inertia_kg_m2: Vec3,
+}
+
+/// How it moves.
+#[derive(Debug, Clone)]
+pub(super) struct State {
+    /// Place (m).
+    pub(super) at_m: Vec3,
+    pub(super) velocity_mps: Vec3,
+    /// Turns the body's axes into the world's.
+    pub(super) attitude: Quat,
+    /// Rates about the body's axes (rad/s).
+    pub(super) rates_radps: Vec3,
+}
+
+/// What a law asks of an airframe.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Asked {
+    /// Acceleration along the body's z axis, gravity not taken off (m/s²).
+    pub(super) lift_mps2: f32,
+    /// Angular acceleration about the body's axes (rad/s²).
+    pub(super) turn_radps2: Vec3,
+}
+
+impl Airframe {
+    pub(super) fn new(params: &QuadrotorParams) -> Self {
+        let QuadrotorParams { mass_kg, arm_m, drag_arm_m, thrust_to_weight, .. } = *params;
+        let flat = mass_kg * arm_m * arm_m / 4.0;
+        Self {
+            mass_kg,
+            arm_m,
+            drag_arm_m,
+            rotor_max_n: thrust_to_weight * mass_kg * GRAVITY_MPS2 / 4.0,
+            inertia_kg_m2: Vec3::new(flat, flat, 2.0 * flat),
+        }
+    }
+
+    /// Thrusts of the front, left, rear and right rotor, each from none to its greatest (N). What they cannot do all
+    /// together they do first for height, roll and pitch; yaw gets what is left.
+    pub(super) fn rotors_n(&self, asked: &Asked) -> [f32; 4] {
+        let limit = |n: f32| n.clamp(0.0, self.rotor_max_n);
+        let torque = self.inertia_kg_m2 * asked.turn_radps2;
+        let even = self.mass_kg * asked.lift_mps2 / 4.0;
+        let (roll, pitch) = (torque.x / (2.0 * self.arm_m), torque.y / (2.0 * self.arm_m));
+        let [front, left, rear, right] = [even - pitch, even + roll, even + pitch, even - roll].map(limit);
+        let up_to = |a: f32, b: f32| (self.rotor_max_n - a).min(self.rotor_max_n - b);
+        let (more, less) = (up_to(front, rear).min(left.min(right)), up_to(left, right).min(front.min(rear)));
+        let yaw = (torque.z / (4.0 * self.drag_arm_m)).clamp(-less, more);
+        [front + yaw, left - yaw, rear + yaw, right - yaw]
+    }
+
+    /// Force along the body's z axis (N), and torque about its axes (N m).
+    fn wrench(&self, [front, left, rear, right]: &[f32; 4]) -> (f32, Vec3) {
+        let torque_nm = Vec3::new(
+            self.arm_m * (left - right),
+            self.arm_m * (rear - front),
+            self.drag_arm_m * (front + rear - left - right),
+        );
+        (front + left + rear + right, torque_nm)
+    }
+}
+
+impl State {
+    /// At rest at the origin.
+    pub(super) fn hovering(heading_rad: f32) -> Self {
+        let (sin, cos) = libm::sincosf(heading_rad / 2.0);
+        Self {
+            at_m: Vec3::ZERO,
+            velocity_mps: Vec3::ZERO,
+            attitude: Quat::from_xyzw(0.0, 0.0, sin, cos),
+            rates_radps: Vec3::ZERO,
+        }
+    }
+
+    /// Some time passes under constant thrusts. The place is exact for what falls freely; rates and attitude are of
+    /// second order (midpoint).
+    pub(super) fn step(&mut self, airframe: &Airframe, rotors_n: &[f32; 4], step_s: f32) {
+        let (lift_n, torque_nm) = airframe.wrench(rotors_n);
+        let inertia = airframe.inertia_kg_m2;
+        let turn = |rates: Vec3| (torque_nm - rates.cross(inertia * rates)) / inertia;
+        let half = self.rates_radps + turn(self.rates_radps) * (step_s / 2.0);
+        let middle = half.clamp_length_max(SPIN_MAX_RADPS);
+        let lift = self.up() * (lift_n / airframe.mass_kg);
+        let before_mps = self.velocity_mps;
+        self.velocity_mps += (lift - Vec3::Z * GRAVITY_MPS2) * step_s;
+        self.at_m += (before_mps + self.velocity_mps) * (step_s / 2.0);
+        let after = self.rates_radps + turn(middle) * step_s;
+        self.rates_radps = after.clamp_length_max(SPIN_MAX_RADPS);
+        let spin = Quat::from_xyzw(middle.x, middle.y, middle.z, 0.0);
+        self.attitude = (self.attitude + self.attitude * spin * (step_s / 2.0)).normalize();
+    }
+
+    /// The body's z axis in the world.
+    pub(super) fn up(&self) -> Vec3 {
+        self.attitude * Vec3::Z
+    }
+
+    /// Where the body's x axis points to, counter-clockwise from the world's (rad).
+    pub(super) fn heading_rad(&self) -> f32 {
+        let Quat { x, y, z, w } = self.attitude;
+        libm::atan2f(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+    }
+}
