@@ -98,7 +98,8 @@ fn checked(mission: &Mission) -> String {
 fn list() -> Result<String, ConfigError> {
     let mut entries = Vec::new();
     for source in builtin_names().iter().filter_map(|name| builtin(name)) {
-        entries.push(describe(&source)?);
+        let about = describe(&source, &[])?;
+        entries.push((about.name, about.description));
     }
     for preset in PRESETS {
         entries.push((format!("preset={}", preset.name), preset.description().to_owned()));
