@@ -24,6 +24,9 @@ mod record;
 /// The JSON Schema against a validator that is not ours.
 #[path = "cli/schema.rs"]
 mod schema;
+/// Many runs.
+#[path = "cli/sweep/mod.rs"]
+mod sweep;
 /// Help, explanations, completions, manual pages.
 #[path = "cli/teach.rs"]
 mod teach;

@@ -20,6 +20,8 @@ mod laws;
 mod record;
 /// The shipped scenarios do what their descriptions say.
 mod scenarios;
+/// Many runs draw from streams of their own.
+mod sweep;
 
 use std::path::PathBuf;
 

@@ -11,7 +11,7 @@ use clap_complete::Shell;
 use crate::{
     exit::{self, Exit, Failure},
     output::Folder,
-    print, recording, teach,
+    print, recording, sweep, teach,
 };
 pub(crate) use plan::Plan;
 
@@ -38,6 +38,14 @@ pub(crate) enum Command {
     Verify(recording::Verify),
     /// Where two recordings part, and how far
     Diff(recording::Diff),
+    /// Fly many runs of a scenario; leave a table, a row a run
+    Sweep(Box<sweep::Sweep>),
+    /// Put the shards of a sweep together
+    Merge(sweep::Merge),
+    /// Statistics of a sweep: tables and pictures
+    Report(sweep::Report),
+    /// Fly one row of a sweep again, with a recording
+    Repro(sweep::Repro),
     /// How many UAVs does a tunnel need, and for how long? (flies nothing)
     Plan(Box<Plan>),
     /// List the scenarios and the presets that are built in
@@ -220,7 +228,7 @@ pub(crate) fn parse(args: impl IntoIterator<Item = impl Into<OsString> + Clone>)
     }
 }
 
-fn seed(text: &str) -> Result<u64, String> {
+pub(crate) fn seed(text: &str) -> Result<u64, String> {
     text.parse().map_err(|_| format!("expected a whole number from 0 to {}", u64::MAX))
 }
 

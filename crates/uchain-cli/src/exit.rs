@@ -16,6 +16,7 @@ use uchain_sim::{
         mcap::{PlayError, ReadError},
     },
     run::RunError,
+    sweep::{DesignError, folder::FolderError},
 };
 
 /// Exit codes.
@@ -36,10 +37,13 @@ const TABLE: [(Exit, &str); 6] = [
     (Exit::Usage, "usage: wrong arguments, or an output folder that is not to be touched"),
     (
         Exit::InputInvalid,
-        "input invalid: scenario, map, recording or a name that nobody knows; nothing is written",
+        "input invalid: scenario, map, recording, sweep or a name that nobody knows; nothing is written",
     ),
-    (Exit::Differ, "verify, diff: the flights differ"),
-    (Exit::Interrupted, "interrupted (Ctrl-C); nothing is written but the recording up to there"),
+    (Exit::Differ, "verify, diff, repro: the flights differ"),
+    (
+        Exit::Interrupted,
+        "interrupted (Ctrl-C); a recording is left up to there, and a sweep goes on with --resume",
+    ),
 ];
 
 impl Exit {
@@ -93,6 +97,50 @@ pub(crate) enum Failure {
     Interrupted,
     #[error("the flights differ")]
     Differ,
+    #[error(transparent)]
+    Design(DesignError),
+    #[error(transparent)]
+    Sweep(FolderError),
+    #[error("run {run} differs: its digest was {then}, now it is {now}")]
+    Otherwise { run: u64, then: String, now: String },
+}
+
+impl From<DesignError> for Failure {
+    fn from(error: DesignError) -> Self {
+        match error {
+            DesignError::Config(error) => Self::Input(error),
+            error => Self::Design(error),
+        }
+    }
+}
+
+impl From<FolderError> for Failure {
+    fn from(error: FolderError) -> Self {
+        match error {
+            FolderError::Design(error) => error.into(),
+            error => Self::Sweep(error),
+        }
+    }
+}
+
+/// How a command ends that went wrong with a sweep's folder.
+fn sweep_exit(error: &FolderError) -> Exit {
+    match error {
+        FolderError::Io { .. } | FolderError::Pool(_) => Exit::RunFailed,
+        FolderError::Exists { .. }
+        | FolderError::Another { .. }
+        | FolderError::Occupied { .. }
+        | FolderError::Busy { .. } => Exit::Usage,
+        FolderError::NoSweep { .. }
+        | FolderError::Complete { .. }
+        | FolderError::Damaged { .. }
+        | FolderError::Contradiction { .. }
+        | FolderError::Missing { .. }
+        | FolderError::NoTable { .. }
+        | FolderError::NoSuchRun { .. }
+        | FolderError::Design(_) => Exit::InputInvalid,
+        FolderError::Interrupted => Exit::Interrupted,
+    }
 }
 
 impl Failure {
@@ -108,12 +156,15 @@ impl Failure {
     pub(crate) fn exit(&self) -> Exit {
         match self {
             Self::Recording { cause: ReadError::Io(_), .. } => Exit::RunFailed,
-            Self::Input(_) | Self::Plan(_) | Self::Map(_) | Self::Recording { .. } => Exit::InputInvalid,
+            Self::Input(_) | Self::Plan(_) | Self::Map(_) | Self::Recording { .. } | Self::Design(_) => {
+                Exit::InputInvalid
+            }
             Self::BareMap { .. } | Self::Occupied { .. } | Self::Folder { .. } => Exit::Usage,
             Self::Interrupted
             | Self::Run(RunError::Record(RecordError::Interrupted { .. }))
             | Self::Cut { error: RunError::Record(RecordError::Interrupted { .. }), .. } => Exit::Interrupted,
-            Self::Differ => Exit::Differ,
+            Self::Differ | Self::Otherwise { .. } => Exit::Differ,
+            Self::Sweep(error) => sweep_exit(error),
             Self::Write { .. }
             | Self::Json(_)
             | Self::Draw(_)

@@ -10,6 +10,7 @@ mod output;
 mod plan;
 mod recording;
 mod report;
+mod sweep;
 mod teach;
 mod watch;
 
@@ -39,7 +40,7 @@ pub fn main_with(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
         Err(failure) => {
             let hint = teach::hint(&failure).map(|hint| format!("hint: {hint}\n")).unwrap_or_default();
             // Nobody is left to tell when stderr is gone.
-            let _ = write!(io::stderr(), "error: {failure}\n{hint}");
+            let _ = io::stderr().write_all(format!("error: {failure}\n{hint}").as_bytes());
             failure.exit().code()
         }
     }
@@ -51,6 +52,10 @@ fn obey(command: Command) -> Result<(), Failure> {
         Command::Inspect(asked) => recording::inspect(&asked),
         Command::Verify(asked) => recording::verify(&asked),
         Command::Diff(asked) => recording::diff(&asked),
+        Command::Sweep(asked) => sweep::fly(&asked),
+        Command::Merge(asked) => sweep::merge(&asked),
+        Command::Report(asked) => sweep::report(&asked),
+        Command::Repro(asked) => sweep::repro(&asked),
         Command::Plan(asked) => plan::reckon(&asked),
         Command::List => print(&list()?),
         Command::Show { preset: Some(name), .. } => print(Preset::find(&name)?.text),
@@ -98,7 +103,8 @@ fn checked(mission: &Mission) -> String {
 fn list() -> Result<String, ConfigError> {
     let mut entries = Vec::new();
     for source in builtin_names().iter().filter_map(|name| builtin(name)) {
-        entries.push(describe(&source)?);
+        let about = describe(&source, &[])?;
+        entries.push((about.name, about.description));
     }
     for preset in PRESETS {
         entries.push((format!("preset={}", preset.name), preset.description().to_owned()));

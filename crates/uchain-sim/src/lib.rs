@@ -21,4 +21,6 @@ pub mod run;
 pub mod seed;
 pub mod sense;
 pub mod sim;
+#[cfg(feature = "sweep")]
+pub mod sweep;
 pub mod world;

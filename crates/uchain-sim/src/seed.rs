@@ -27,6 +27,8 @@ pub enum Source {
     Choice = 8,
     /// Noise of where a robot believes it is.
     Position = 9,
+    /// Seeds of the replicates of a sweep.
+    Replicate = 10,
 }
 
 /// Seed of one run.
@@ -41,6 +43,15 @@ impl Seed {
         let mut rng = ChaCha8Rng::from_seed(key);
         rng.set_stream((u64::from(robot) << 8) | source as u64);
         Stream(rng)
+    }
+
+    /// Seed of one replicate of a sweep with this root seed: a function of the two alone, whatever is varied and however
+    /// many replicates there are. It has 63 bits, so that programs without unsigned numbers can hold it as well.
+    #[must_use]
+    pub fn replicate(self, replicate: u64) -> Self {
+        let Stream(mut rng) = self.stream(0, Source::Replicate);
+        rng.set_word_pos(2 * u128::from(replicate));
+        Self(rng.next_u64() >> 1)
     }
 }
 
@@ -100,6 +111,17 @@ mod tests {
         for other in [draws(2, 0, Source::Tof), draws(1, 1, Source::Tof), draws(1, 0, Source::Flow)] {
             assert_ne!(first, other);
         }
+    }
+
+    #[test]
+    fn seeds_of_replicates_are_pinned_and_never_repeat_within_a_sweep() {
+        let first = [0, 1, 2].map(|replicate| Seed(1).replicate(replicate).0);
+        assert_eq!(first, [316_819_790_161_494_059, 6_900_507_268_339_487_691, 4_646_504_056_920_253_644]);
+        let mut seeds: Vec<u64> =
+            (0..100_000).map(|i| Seed(1 + i / 50_000).replicate(i % 50_000).0).collect();
+        seeds.sort_unstable();
+        assert!(seeds.windows(2).all(|pair| pair[0] < pair[1]));
+        assert!(seeds[seeds.len() - 1] < 1 << 63);
     }
 
     #[test]

@@ -10,6 +10,7 @@ Examples:
   uchain run corner --set preset=cavemod     with the values of the authors' firmware
   uchain inspect runs/corner-s1/run.mcap     look into a recording
   uchain verify runs/corner-s1/run.mcap      fly it again: still the same, bit for bit?
+  uchain sweep corner --vary radio.sigma_db=0,4 --replicates 20 --out sigma && uchain report sigma
   uchain plan corner                         how many UAVs does it need? (flies nothing)
   uchain explain radio.alpha_wall            what is that, and what may it be?
   uchain show corner > mine.toml             copy a scenario and edit it

@@ -9,8 +9,8 @@ use uchain_sim::{
     run::{RunError, explore as run},
 };
 
+use super::Flight;
 use crate::{
-    args::Run,
     exit::Failure,
     output::{EXPLORE, Names},
     recording::{self, Tape},
@@ -18,16 +18,16 @@ use crate::{
     watch::{interrupted, listen_for_interrupt},
 };
 
-pub(crate) fn explore(asked: &Run, site: &Site) -> Result<(), Failure> {
-    let folder = asked.folder(&site.scenario.name)?;
-    site.notes().iter().for_each(|words| asked.say.note(words));
+pub(crate) fn explore(flight: &Flight<'_>, site: &Site) -> Result<String, Failure> {
+    let Flight { seed, folder, is_recorded, say } = flight;
+    site.notes().iter().for_each(|words| say.note(words));
     listen_for_interrupt();
-    let names = Names { recording: EXPLORE.recording.filter(|_| asked.recording.wanted()), ..EXPLORE };
-    let tape = names.recording.map(|name| Tape::of_exploration(&folder, name, site, asked.seed));
+    let names = Names { recording: EXPLORE.recording.filter(|_| *is_recorded), ..EXPLORE };
+    let tape = names.recording.map(|name| Tape::of_exploration(folder, name, site, *seed));
     let mut tape = tape.transpose()?;
     let mut history = ExploreHistory::default();
-    let mut watch = Watch::new(site, asked.say.progress());
-    let flown = timed(site, asked.seed, &mut ((&mut history, &mut watch), &mut tape));
+    let mut watch = Watch::new(site, say.progress());
+    let flown = timed(site, *seed, &mut ((&mut history, &mut watch), &mut tape));
     watch.end();
     let ((summary, survey), wall_s) = recording::end(flown, tape)?;
     let picture = draw::explore_png(site, &history, &survey, &summary)?;
@@ -39,7 +39,8 @@ pub(crate) fn explore(asked: &Run, site: &Site) -> Result<(), Failure> {
         return Err(Failure::Interrupted);
     }
     folder.write(&names, json.as_bytes(), &picture, &[&map.pgm, map.yaml.as_bytes(), &states])?;
-    asked.say.result(&json, || report.text(&folder.says(&names)))
+    say.result(&json, || report.text(&folder.says(&names)))?;
+    Ok(summary.digest)
 }
 
 /// Explores, and says how long that took (s).

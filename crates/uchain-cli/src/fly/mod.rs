@@ -13,9 +13,9 @@ use uchain_sim::{
 use explore::explore;
 
 use crate::{
-    args::Run,
+    args::{Run, Say},
     exit::Failure,
-    output::{Names, RUN},
+    output::{Folder, Names, RUN},
     recording::{self, Tape},
     report::Report,
     watch::{Watch, interrupted, listen_for_interrupt},
@@ -23,21 +23,48 @@ use crate::{
 
 pub(crate) fn fly(asked: &Run) -> Result<(), Failure> {
     let source = Source::find(&asked.scenario)?;
-    match Mission::read(&source, &asked.sets.set)? {
-        Mission::Chain(course) => chain(asked, &course),
-        Mission::Explore(site) => explore(asked, &site),
+    let mission = Mission::read(&source, &asked.sets.set)?;
+    let name = match &mission {
+        Mission::Chain(course) => &course.scenario.name,
+        Mission::Explore(site) => &site.scenario.name,
+    };
+    let flight = Flight {
+        seed: asked.seed,
+        folder: asked.folder(name)?,
+        is_recorded: asked.recording.wanted(),
+        say: &asked.say,
+    };
+    flight.fly(&mission).map(drop)
+}
+
+/// One run whose results are kept.
+pub(crate) struct Flight<'a> {
+    pub(crate) seed: u64,
+    pub(crate) folder: Folder,
+    /// Whether a chain is recorded.
+    pub(crate) is_recorded: bool,
+    pub(crate) say: &'a Say,
+}
+
+impl Flight<'_> {
+    /// Flies, writes and says; gives the digest.
+    pub(crate) fn fly(&self, mission: &Mission) -> Result<String, Failure> {
+        match mission {
+            Mission::Chain(course) => chain(self, course),
+            Mission::Explore(site) => explore(self, site),
+        }
     }
 }
 
-fn chain(asked: &Run, course: &Course) -> Result<(), Failure> {
-    let folder = asked.folder(&course.scenario.name)?;
+fn chain(flight: &Flight<'_>, course: &Course) -> Result<String, Failure> {
+    let Flight { seed, folder, is_recorded, say } = flight;
     listen_for_interrupt();
     let ticks = total_ticks(course.scenario.duration_s);
-    let mut watch = Watch::new(course.spawns.len(), ticks, asked.say.progress());
-    let names = Names { recording: RUN.recording.filter(|_| asked.recording.wanted()), ..RUN };
-    let tape = names.recording.map(|name| Tape::of_chain(&folder, name, course, asked.seed));
+    let mut watch = Watch::new(course.spawns.len(), ticks, say.progress());
+    let names = Names { recording: RUN.recording.filter(|_| *is_recorded), ..RUN };
+    let tape = names.recording.map(|name| Tape::of_chain(folder, name, course, *seed));
     let mut tape = tape.transpose()?;
-    let flown = timed(course, asked.seed, &mut (&mut watch, &mut tape));
+    let flown = timed(course, *seed, &mut (&mut watch, &mut tape));
     let (summary, wall_s) = recording::end(flown, tape)?;
     let picture = draw::run_png(course, &watch.into_history(), &summary)?;
     let report = Report::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));
@@ -46,7 +73,8 @@ fn chain(asked: &Run, course: &Course) -> Result<(), Failure> {
         return Err(Failure::Interrupted);
     }
     folder.write(&names, json.as_bytes(), &picture, &[])?;
-    asked.say.result(&json, || report.text(&folder.says(&names)))
+    say.result(&json, || report.text(&folder.says(&names)))?;
+    Ok(summary.digest)
 }
 
 /// Flies, and says how long that took (s).

@@ -24,6 +24,9 @@ pub(crate) fn completions(shell: Shell) -> Result<(), Failure> {
     };
     let mut grammar = grammar()
         .mut_subcommand("run", |run| run.mut_arg("scenario", scenarios).mut_arg("set", sets))
+        .mut_subcommand("sweep", |sweep| {
+            sweep.mut_arg("scenario", scenarios).mut_arg("set", sets).mut_arg("vary", sets)
+        })
         .mut_subcommand("plan", |plan| plan.mut_arg("what", scenarios).mut_arg("set", sets))
         .mut_subcommand("check", |check| check.mut_arg("scenario", scenarios).mut_arg("set", sets))
         .mut_subcommand("show", |show| show.mut_arg("scenario", scenarios).mut_arg("preset", presets))

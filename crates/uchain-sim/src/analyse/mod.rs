@@ -6,6 +6,8 @@ pub mod explore;
 mod metrics;
 pub mod optimum;
 mod plan;
+#[cfg(feature = "sweep")]
+mod stats;
 mod summary;
 mod timeline;
 
@@ -13,5 +15,7 @@ pub use compare::{Compare, Comparison, Difference, Value, Whose};
 pub use digest::Digest;
 pub use metrics::Metrics;
 pub use plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan};
+#[cfg(feature = "sweep")]
+pub use stats::Estimate;
 pub use summary::{LinkSummary, Summary};
 pub use timeline::{ExploreTimeline, Timeline};

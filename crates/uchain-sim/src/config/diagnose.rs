@@ -179,11 +179,18 @@ impl ConfigError {
     /// Names a value by the argument it came from, where a program made its `assignment` (`key=value`) out of an
     /// argument of its own, `typed`. An error about anything else stays as it is.
     #[must_use]
-    pub fn typed_as(mut self, assignment: &str, typed: &str) -> Self {
+    pub fn typed_as(self, assignment: &str, typed: &str) -> Self {
+        self.written_at(assignment, Origin::Argument { typed: shorten(typed) })
+    }
+
+    /// Names a value by the place it was written in, where a program made its `assignment` (`key=value`) out of what
+    /// stands there. An error about anything else stays as it is.
+    #[must_use]
+    pub fn written_at(mut self, assignment: &str, place: Origin) -> Self {
         if let Some(at) = self.place_mut()
             && *at == (Origin::Set { assignment: shorten(assignment) })
         {
-            *at = Origin::Argument { typed: shorten(typed) };
+            *at = place;
         }
         self
     }
@@ -222,7 +229,7 @@ impl ConfigError {
 }
 
 /// Text as it may stand in a message: printable, on one line, of bounded length.
-pub(super) fn shorten(text: &str) -> String {
+pub(crate) fn shorten(text: &str) -> String {
     const LONGEST: usize = 60;
     let mut short: String =
         text.chars().take(LONGEST).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();

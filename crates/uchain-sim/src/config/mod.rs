@@ -16,8 +16,10 @@ mod tests;
 
 pub use check::UAVS_MAX;
 pub use course::{Course, Spawn};
+#[cfg(feature = "sweep")]
+pub(crate) use diagnose::shorten;
 pub use diagnose::{Choices, ConfigError, Origin};
-pub use mission::{ExploreScenario, Mission, Site, TeamConfig, VehicleKind, describe};
+pub use mission::{About, ExploreScenario, Mission, Site, TeamConfig, VehicleKind, describe};
 pub use scenario::{
     ChainConfig, CorridorConfig, MapConfig, MovingAiConfig, PilotStep, RosConfig, Scenario, WallsConfig,
 };

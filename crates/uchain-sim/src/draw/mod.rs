@@ -6,6 +6,8 @@ mod ground;
 mod losses;
 mod panel;
 mod plan;
+#[cfg(feature = "sweep")]
+pub mod sweep;
 mod tunnel;
 
 use kuva::{RasterBackend, render::render::Scene};

@@ -49,8 +49,8 @@ pub(crate) const STEPS: &[Step] = &[
     Step { name: "doctest", about: "examples in the documentation", run: cargo::doctest },
     Step {
         name: "python",
-        about: "Python's mcap library finds in a recording what uchain finds",
-        run: python::reads_recordings,
+        about: "Python's mcap and pyarrow find in recordings and sweeps what uchain finds",
+        run: python::reads_results,
     },
     Step {
         name: "no-std",

@@ -1,4 +1,5 @@
-//! The MCAP library of the format's own authors reads what we record: a second pair of eyes, in another language.
+//! The libraries of the formats' own authors read what we record and what a sweep leaves: a second pair of eyes, in
+//! another language.
 
 use std::{fs, process::Command};
 
@@ -11,25 +12,38 @@ use crate::house::{self, House, read, run};
 const INSTALL: &str =
     "python3 -m venv target/venv && target/venv/bin/pip install -r tests/python/requirements.txt";
 
-pub(super) fn reads_recordings(house: &House) -> Result<Outcome> {
+pub(super) fn reads_results(house: &House) -> Result<Outcome> {
     let python = house.target.join("venv/bin/python");
     if !python.exists() {
         ensure!(!house::ci(), "{} is missing: {INSTALL}", python.display());
-        return Ok(Outcome::Skipped(format!("no Python with mcap in the target folder: {INSTALL}")));
+        return Ok(Outcome::Skipped(format!(
+            "no Python with mcap and pyarrow in the target folder: {INSTALL}"
+        )));
     }
     // Words of the step `test`: whole workspace, same features, so that nothing compiles a second time.
     run(&mut house.cargo("test --locked --profile checked --workspace --tests --no-run"))?;
+    let uchain = || Command::new(house.target.join("checked/uchain"));
+    let script = |name: &str| house.root.join("tests/python").join(name);
     // A chain and an exploration.
     for scenario in ["corner", "apartment"] {
         let folder = house.target.join("proof/recording").join(scenario);
-        let uchain = || Command::new(house.target.join("checked/uchain"));
         run(uchain().args(["run", scenario, "--quiet", "--force", "--out"]).arg(&folder))?;
         let recording = folder.join("run.mcap");
         let inspected = folder.join("inspect.json");
         let json = read(uchain().args(["inspect", "--json"]).arg(&recording))?;
         fs::write(&inspected, json).with_context(|| format!("cannot write {}", inspected.display()))?;
-        let script = house.root.join("tests/python/read_mcap.py");
-        run(Command::new(&python).arg(script).arg(&recording).arg(&inspected))?;
+        run(Command::new(&python).arg(script("read_mcap.py")).arg(&recording).arg(&inspected))?;
     }
+
+    let folder = house.target.join("proof/sweep");
+    // What an older version left there is another sweep.
+    if folder.exists() {
+        fs::remove_dir_all(&folder).with_context(|| format!("cannot remove {}", folder.display()))?;
+    }
+    // UAVs 0.05 m apart overlap: some runs fail.
+    let design = "--set duration_s=30 --vary chain.spacing_m=0.05,0.25,0.5 --replicates 4 --quiet --out";
+    run(uchain().args(["sweep", "corner"]).args(design.split(' ')).arg(&folder))?;
+    run(uchain().args(["report", "--quiet"]).arg(&folder))?;
+    run(Command::new(&python).arg(script("read_parquet.py")).arg(&folder))?;
     Ok(Outcome::Passed)
 }

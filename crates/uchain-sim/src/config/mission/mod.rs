@@ -12,6 +12,7 @@ pub use explore::{ExploreScenario, TeamConfig, VehicleKind};
 pub use site::Site;
 
 use super::{ConfigError, Course, Scenario, Source, document::Document};
+use crate::map::Map;
 
 /// A scenario of either kind, laid out and checked.
 #[derive(Debug, Clone)]
@@ -41,17 +42,39 @@ impl Mission {
             Course::read(source, sets).map(|course| Self::Chain(Box::new(course)))
         }
     }
+
+    /// What it is flown in.
+    pub fn map(&self) -> &Map {
+        match self {
+            Self::Chain(course) => &course.map,
+            Self::Explore(site) => &site.map,
+        }
+    }
 }
 
-/// Name and description of a scenario of either kind, its values checked one by one.
+/// What a scenario says of itself.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct About {
+    /// Its name.
+    pub name: String,
+    /// One line that says what happens.
+    pub description: String,
+    /// Whether it is an exploration, else it is a chain.
+    pub is_exploration: bool,
+}
+
+/// Reads a scenario of either kind, its values checked one by one; nothing is laid out.
 ///
 /// # Errors
 /// Those of [`Scenario::parse`] and [`ExploreScenario::parse`].
-pub fn describe(source: &Source) -> Result<(String, String), ConfigError> {
-    if is_exploration(&Document::parse(source, &[])?) {
-        return ExploreScenario::parse(source, &[]).map(|scenario| (scenario.name, scenario.description));
-    }
-    Scenario::parse(source, &[]).map(|scenario| (scenario.name, scenario.description))
+pub fn describe(source: &Source, sets: &[String]) -> Result<About, ConfigError> {
+    let is_exploration = is_exploration(&Document::parse(source, sets)?);
+    let (name, description) = if is_exploration {
+        ExploreScenario::parse(source, sets).map(|scenario| (scenario.name, scenario.description))?
+    } else {
+        Scenario::parse(source, sets).map(|scenario| (scenario.name, scenario.description))?
+    };
+    Ok(About { name, description, is_exploration })
 }
 
 /// Whether a scenario has the table of an exploration.

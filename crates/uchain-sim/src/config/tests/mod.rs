@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use proptest::prelude::*;
 
-use super::{ConfigError, Course, Scenario, Source, builtin, builtin_names, describe};
+use super::{About, ConfigError, Course, Scenario, Source, builtin, builtin_names, describe};
 
 const PLAIN: &str = r#"name = "plain"
 duration_s = 10.0
@@ -33,7 +33,7 @@ fn source(text: &str) -> Source {
 #[test]
 fn every_builtin_scenario_is_named_as_its_file_and_passes_its_checks() {
     for &name in builtin_names() {
-        let (called, description) = describe(&builtin(name).unwrap()).unwrap();
+        let About { name: called, description, .. } = describe(&builtin(name).unwrap(), &[]).unwrap();
         assert_eq!(called, name);
         assert!(!description.is_empty(), "{name}");
     }

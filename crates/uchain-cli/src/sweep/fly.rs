@@ -1,0 +1,64 @@
+//! `uchain sweep`: check everything, fly what is missing, make the table.
+
+use std::path::Path;
+
+use uchain_sim::{
+    config::Source,
+    sweep::{
+        self, Design, DesignText,
+        folder::{Folder, FolderError, Job, Manifest, Shard, Totals},
+        on_threads,
+    },
+};
+
+use super::{Sweep, conclude::Conclusion, progress::Progress};
+use crate::{
+    exit::Failure,
+    watch::{interrupted, listen_for_interrupt},
+};
+
+pub(crate) fn fly(asked: &Sweep) -> Result<(), Failure> {
+    let source = Source::find(&asked.scenario)?;
+    let text = DesignText::read(asked.vary.clone(), asked.design.as_deref())?;
+    let label = asked.design.as_ref().map(|path| path.display().to_string()).unwrap_or_default();
+    let design = Design::parse(&text, &label)?;
+    let scenes = source.folder.clone();
+    let sweep = sweep::Sweep::new(source, asked.sets.set.clone(), design, asked.replicates, asked.seed)?;
+    listen_for_interrupt();
+    let (done, wall_s) = timed(|| on_threads(asked.threads, || work(asked, &sweep, &scenes)));
+    let (folder, sweep, totals, is_complete) = done.map_err(FolderError::from)??;
+    let conclusion = Conclusion::new(&folder, &sweep, totals, is_complete, wall_s);
+    asked.say.result(&conclusion.json()?, || conclusion.text())
+}
+
+/// Everything that takes long; says in the end whether all runs are there.
+fn work(
+    asked: &Sweep,
+    sweep: &sweep::Sweep,
+    scenes: &Path,
+) -> Result<(Folder, sweep::Sweep, Totals, bool), Failure> {
+    let walls = sweep.check()?;
+    if interrupted() {
+        return Err(Failure::Interrupted);
+    }
+    let folder = Folder::begin(&asked.out, Manifest::of(sweep, walls), scenes, asked.resume)?;
+    // From here on as the folder has it: a row says nothing of where the files lie that were read.
+    let sweep = folder.sweep()?;
+    let shard = asked.shard.unwrap_or(Shard { number: 1, of: 1 });
+    let progress = Progress::new(sweep.runs() / shard.of, asked.say.progress());
+    let flown = folder.fly(&sweep, Job { shard, record: asked.record.into(), watch: &progress });
+    progress.clear();
+    flown?;
+    match folder.finish(&sweep)? {
+        Some(totals) => Ok((folder, sweep, totals, true)),
+        None => folder.totals(&sweep).map(|totals| (folder, sweep, totals, false)).map_err(Failure::from),
+    }
+}
+
+/// Works, and says how long that took (s).
+#[expect(clippy::disallowed_methods, reason = "wall_s is the one number that is about this computer")]
+pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
+    let start = std::time::Instant::now();
+    let done = work();
+    (done, start.elapsed().as_secs_f64())
+}

@@ -1,0 +1,115 @@
+//! `uchain report`: what a sweep came to, in tables and pictures.
+
+mod markdown;
+mod pictures;
+
+use std::{
+    fs::{self, File},
+    io::{BufWriter, Write as _},
+    path::{Path, PathBuf},
+};
+
+use uchain_sim::sweep::{
+    Cell, Sweep,
+    folder::{Folder, FolderError, TABLE},
+    report::{Metric, each_variant, failures, metric, metrics},
+};
+
+use super::Report;
+use crate::{args::Quiet, exit::Failure};
+
+/// Every cell of every number, for programs.
+const CSV: &str = "report.csv";
+/// For people.
+const MARKDOWN: &str = "report.md";
+/// Folder of the pictures.
+const PLOTS: &str = "plots";
+
+pub(crate) fn report(asked: &Report) -> Result<(), Failure> {
+    let folder = Folder::open(&asked.folder)?;
+    if !folder.is_complete() {
+        let runs = folder.manifest().runs;
+        let there = folder.totals(&folder.sweep()?)?.runs;
+        return Err(FolderError::NoTable { folder: asked.folder.clone(), there, runs }.into());
+    }
+    let sweep = folder.sweep()?;
+    let metrics = write_csv(&folder, &sweep)?;
+    let failures = failures(&folder, &sweep)?;
+    let plots = folder.path().join(PLOTS);
+    fs::create_dir_all(&plots).map_err(|cause| Failure::Write { file: plots.clone(), cause })?;
+    for metric in metrics.iter().filter(|metric| metric.constant.is_none()) {
+        let values = if sweep.variants() == 1 { Some(values(&folder, &sweep, metric)?) } else { None };
+        let chart = match values {
+            Some(values) => Some(pictures::distribution(&sweep, &metric.name, values)),
+            None => pictures::chart(&sweep, metric),
+        };
+        let Some(chart) = chart else { continue };
+        let picture = uchain_sim::draw::sweep::chart(&chart)?;
+        write(plots.join(format!("{}.png", metric.name)), &picture.png)?;
+        write(plots.join(format!("{}.svg", metric.name)), picture.svg.as_bytes())?;
+    }
+    let text = markdown::write(&folder, &sweep, &folder.totals(&sweep)?, &metrics, &failures);
+    write(folder.path().join(MARKDOWN), text.as_bytes())?;
+    said(&asked.quiet, folder.path(), &text)
+}
+
+/// What a number is in every run.
+fn values(folder: &Folder, sweep: &Sweep, metric: &Metric) -> Result<Vec<f64>, Failure> {
+    let mut values = Vec::new();
+    for column in metrics(sweep).iter().filter(|column| column.name == metric.name) {
+        each_variant(folder, column, |_, cells| {
+            values.extend(cells.iter().filter_map(Cell::number));
+            Ok::<(), FolderError>(())
+        })?;
+    }
+    Ok(values)
+}
+
+fn said(quiet: &Quiet, folder: &Path, text: &str) -> Result<(), Failure> {
+    let at = folder.display();
+    quiet.report(|| {
+        format!("{text}\nfrom {at}/{TABLE}; written: {at}/{MARKDOWN}, {CSV} and the pictures in {PLOTS}\n")
+    })
+}
+
+fn write(file: PathBuf, bytes: &[u8]) -> Result<(), Failure> {
+    fs::write(&file, bytes).map_err(|cause| Failure::Write { file, cause })
+}
+
+/// All cells of all numbers, a line each, as they are read: any number of variants.
+fn write_csv(folder: &Folder, sweep: &Sweep) -> Result<Vec<Metric>, Failure> {
+    let file = folder.path().join(CSV);
+    let failed = |cause| Failure::Write { file: file.clone(), cause };
+    let mut out = BufWriter::new(File::create(&file).map_err(failed)?);
+    let keys: Vec<String> = sweep.design().keys().map(quoted).collect();
+    let head: Vec<&str> = ["metric", "variant"]
+        .into_iter()
+        .chain(keys.iter().map(String::as_str))
+        .chain(["runs", "mean", "mean_low", "mean_high", "median"])
+        .collect();
+    writeln!(out, "{}", head.join(",")).map_err(failed)?;
+    let mut all = Vec::new();
+    for column in metrics(sweep) {
+        all.push(metric(folder, &column, |variant, estimate| {
+            let values = sweep.design().values(variant);
+            let values: Vec<String> =
+                values.iter().map(|value| quoted(value.as_deref().unwrap_or(""))).collect();
+            let values = values.iter().map(|value| [",", value]).collect::<Vec<_>>().concat().concat();
+            let (low, high) = estimate.interval();
+            let ends = if estimate.half_width.is_some() { format!("{low},{high}") } else { ",".to_owned() };
+            let (count, mean, median) = (estimate.count, estimate.mean, estimate.median);
+            writeln!(out, "{},{variant}{values},{count},{mean},{ends},{median}", column.name).map_err(failed)
+        })?);
+    }
+    out.flush().map_err(failed)?;
+    Ok(all)
+}
+
+/// A field of CSV.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}

@@ -1,0 +1,21 @@
+//! `uchain repro`: one row of a sweep, alone and recorded.
+
+use uchain_sim::sweep::folder::{Folder, Known};
+
+use super::Repro;
+use crate::{exit::Failure, fly::Flight, output};
+
+pub(crate) fn repro(asked: &Repro) -> Result<(), Failure> {
+    let folder = Folder::open(&asked.folder)?;
+    let sweep = folder.sweep()?;
+    let Known { digest, failed } = folder.known(&sweep, asked.run)?;
+    let run = sweep.run(asked.run);
+    let mission = sweep.lay(run.variant)?;
+    let ours = || output::Folder::ours("runs", &format!("{}-run{}", sweep.about().name, run.index));
+    let flight =
+        Flight { seed: run.seed, folder: asked.out.folder(ours)?, is_recorded: true, say: &asked.say };
+    let now = flight.fly(&mission)?;
+    // A row without a digest says why; now there is one.
+    let then = digest.or(failed).unwrap_or_default();
+    if then == now { Ok(()) } else { Err(Failure::Otherwise { run: run.index, then, now }) }
+}

@@ -1,0 +1,260 @@
+//! Flying what is missing.
+
+use std::{
+    fs,
+    io::Write,
+    path::PathBuf,
+    sync::atomic::{AtomicBool, Ordering},
+};
+
+use rayon::prelude::*;
+
+use super::{Folder, FolderError, RECORDINGS, chunk, durable};
+use crate::{
+    config::Mission,
+    record::{
+        ExploreFrame, Frame, RecordError, Recorder,
+        mcap::{ExploreRecorder, McapRecorder},
+    },
+    run::RunError,
+    sweep::{Column, Flown, Run, Sweep, fly, row::has_failed},
+};
+
+/// Which chunks: every `of`-th, from number `number`, counted from 1. The sum of all shards is the sweep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shard {
+    /// Which one, from 1.
+    pub number: u64,
+    /// Of how many, at least 1.
+    pub of: u64,
+}
+
+/// Which runs leave a recording.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Record {
+    /// None.
+    None,
+    /// Those that failed; each is flown a second time.
+    Failed,
+    /// All.
+    All,
+}
+
+/// Someone who is told how far the work has come, and can stop it.
+pub trait Watch: Sync {
+    /// Whether to stop; asked at every tick.
+    fn stop(&self) -> bool;
+    /// So many more runs are on the disk, so many of them failed; `now` if they were flown just now.
+    fn done(&self, runs: u64, failed: u64, now: bool);
+}
+
+/// What to fly, and for whom.
+#[derive(Clone, Copy)]
+pub struct Job<'a> {
+    /// Which chunks.
+    pub shard: Shard,
+    /// Which recordings.
+    pub record: Record,
+    /// Who looks on.
+    pub watch: &'a dyn Watch,
+}
+
+/// Why a run has no end: someone stopped it, or its recording cannot be written.
+type Broken = RunError;
+
+/// Stops a run.
+struct Stop<'a>(&'a dyn Watch);
+
+impl Stop<'_> {
+    fn look(&self, time_s: f64) -> Result<(), RecordError> {
+        if self.0.stop() { Err(RecordError::Interrupted { time_s }) } else { Ok(()) }
+    }
+}
+
+impl Recorder for Stop<'_> {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        self.look(frame.time_s())
+    }
+}
+
+impl Recorder<ExploreFrame> for Stop<'_> {
+    fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
+        self.look(frame.time_s())
+    }
+}
+
+/// Records a mission of either kind.
+enum Tape<W: Write> {
+    Chain(McapRecorder<W>),
+    Explore(ExploreRecorder<W>),
+}
+
+impl<W: Write> Tape<W> {
+    fn start(out: W, mission: &Mission, seed: u64) -> Result<Self, RecordError> {
+        match mission {
+            Mission::Chain(course) => McapRecorder::start(out, course, seed).map(Self::Chain),
+            Mission::Explore(site) => ExploreRecorder::start(out, site, seed).map(Self::Explore),
+        }
+    }
+
+    fn finish(self) -> Result<(), RecordError> {
+        match self {
+            Self::Chain(recorder) => recorder.finish().map(drop),
+            Self::Explore(recorder) => recorder.finish().map(drop),
+        }
+    }
+}
+
+impl<W: Write> Recorder for Tape<W> {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        // A mission of the other kind has no such frames.
+        if let Self::Chain(recorder) = self { recorder.frame(frame) } else { Ok(()) }
+    }
+}
+
+impl<W: Write> Recorder<ExploreFrame> for Tape<W> {
+    fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
+        if let Self::Explore(recorder) = self { recorder.frame(frame) } else { Ok(()) }
+    }
+}
+
+impl Folder {
+    /// Flies what is missing of a shard, on the threads of [`on_threads`](crate::sweep::on_threads). What is there is
+    /// read first.
+    ///
+    /// # Errors
+    /// A chunk that is there is damaged; one cannot be written; the caller asked to stop. Chunks that were finished stay.
+    pub fn fly(&self, sweep: &Sweep, job: Job<'_>) -> Result<(), FolderError> {
+        if self.is_complete() {
+            return Ok(());
+        }
+        let (columns, first) = (sweep.columns(), job.shard.number.saturating_sub(1));
+        let mut missing = Vec::new();
+        for chunk in
+            (first..self.chunks()).step_by(usize::try_from(job.shard.of).unwrap_or(usize::MAX).max(1))
+        {
+            if self.chunk_path(chunk).exists() {
+                let rows = self.read_chunk(chunk, &columns)?;
+                let place = columns.iter().position(|column| column.name == crate::sweep::row::FAILED);
+                let has_failed =
+                    |row: &&Vec<_>| place.and_then(|place| row.get(place)) != Some(&super::Cell::Absent);
+                job.watch.done(rows.len() as u64, rows.iter().filter(has_failed).count() as u64, false);
+            } else {
+                missing.push(chunk);
+            }
+        }
+        // The first error stops the others at their next tick.
+        let is_over = AtomicBool::new(false);
+        let watch = Until { watch: job.watch, is_over: &is_over };
+        let job = Job { watch: &watch, ..job };
+        let done: Vec<Result<(), FolderError>> = missing
+            .into_par_iter()
+            .with_max_len(1)
+            .map(|chunk| {
+                let done = self.fly_chunk(sweep, chunk, &columns, job);
+                is_over.fetch_or(done.is_err(), Ordering::Relaxed);
+                done
+            })
+            .collect();
+        // What stopped the others says more than that they were stopped.
+        let mut errors: Vec<FolderError> = done.into_iter().filter_map(Result::err).collect();
+        let place = errors.iter().position(|error| !matches!(error, FolderError::Interrupted)).unwrap_or(0);
+        if errors.is_empty() { Ok(()) } else { Err(errors.swap_remove(place)) }
+    }
+
+    fn fly_chunk(
+        &self,
+        sweep: &Sweep,
+        chunk: u64,
+        columns: &[Column],
+        job: Job<'_>,
+    ) -> Result<(), FolderError> {
+        let runs = self.runs_of(chunk);
+        let mut rows = Vec::with_capacity((runs.end - runs.start) as usize);
+        let mut failed = 0;
+        for run in runs.clone().map(|index| sweep.run(index)) {
+            if job.watch.stop() {
+                return Err(FolderError::Interrupted);
+            }
+            let mut flown = match job.record {
+                Record::All => self.recorded(sweep, run, job.watch)?,
+                _ => unrecorded(sweep, run, job.watch).map_err(|error| self.broken(run, error))?,
+            };
+            if job.record == Record::Failed && has_failed(&flown) {
+                flown = self.recorded(sweep, run, job.watch)?;
+            }
+            failed += u64::from(has_failed(&flown));
+            let row = sweep.row(run, &flown);
+            debug_assert_eq!(row.len(), columns.len());
+            rows.push(row);
+        }
+        chunk::write(&self.chunk_path(chunk), &self.hash, &runs, &rows)?;
+        job.watch.done(rows.len() as u64, failed, true);
+        Ok(())
+    }
+
+    /// Flies a run and records it, up to where it panics if it does.
+    fn recorded(
+        &self,
+        sweep: &Sweep,
+        run: Run,
+        watch: &dyn Watch,
+    ) -> Result<Result<Flown, String>, FolderError> {
+        let mission = match sweep.mission(run) {
+            Ok(mission) => mission,
+            Err(reason) => return Ok(Err(reason)),
+        };
+        let path = self.recording(run);
+        let folder = self.path.join(RECORDINGS);
+        fs::create_dir_all(&folder).map_err(FolderError::io(&folder, "make the folder"))?;
+        durable::write(&path, |out| {
+            let broken = |error: RecordError| self.broken(run, error.into());
+            let mut tape = Tape::start(out, &mission, run.seed).map_err(broken)?;
+            let flown = sweep.one(run, |mission, run| fly(mission, run.seed, &mut (Stop(watch), &mut tape)));
+            let flown = whole(flown).map_err(|error| self.broken(run, error))?;
+            tape.finish().map_err(broken)?;
+            Ok(flown)
+        })
+    }
+
+    fn recording(&self, run: Run) -> PathBuf {
+        self.path.join(RECORDINGS).join(format!("run-{:08}.mcap", run.index))
+    }
+
+    fn broken(&self, run: Run, error: Broken) -> FolderError {
+        match error {
+            RunError::Record(RecordError::Interrupted { .. }) | RunError::Params => FolderError::Interrupted,
+            RunError::Record(RecordError::Io(cause)) => FolderError::io(&self.recording(run), "write")(cause),
+        }
+    }
+}
+
+fn unrecorded(sweep: &Sweep, run: Run, watch: &dyn Watch) -> Result<Result<Flown, String>, Broken> {
+    whole(sweep.one(run, |mission, run| fly(mission, run.seed, &mut Stop(watch))))
+}
+
+/// A run that was stopped is no row; one that failed by itself is.
+fn whole(flown: Result<Result<Flown, RunError>, String>) -> Result<Result<Flown, String>, Broken> {
+    match flown {
+        Ok(Err(error @ RunError::Params)) => Ok(Err(format!("not flown: {error}"))),
+        Ok(Err(error)) => Err(error),
+        Ok(Ok(flown)) => Ok(Ok(flown)),
+        Err(reason) => Ok(Err(reason)),
+    }
+}
+
+/// Stops when the caller says so, or when another thread cannot go on.
+struct Until<'a> {
+    watch: &'a dyn Watch,
+    is_over: &'a AtomicBool,
+}
+
+impl Watch for Until<'_> {
+    fn stop(&self) -> bool {
+        self.is_over.load(Ordering::Relaxed) || self.watch.stop()
+    }
+
+    fn done(&self, runs: u64, failed: u64, now: bool) {
+        self.watch.done(runs, failed, now);
+    }
+}

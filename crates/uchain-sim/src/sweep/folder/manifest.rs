@@ -1,0 +1,113 @@
+//! `sweep.json`: what is flown, so that it can be resumed, merged and flown again.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use twox_hash::XxHash64;
+
+use super::chunk;
+use crate::{
+    config::Source,
+    sweep::{Design, DesignError, DesignText, Sweep},
+};
+
+/// This version.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// What a sweep is: rows are a function of this and nothing else.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Manifest {
+    /// Version of uchain that flies.
+    pub version: String,
+    /// The scenario's name.
+    pub name: String,
+    /// The scenario's text.
+    pub scenario: String,
+    /// What was written over it for all variants (`--set`).
+    pub set: Vec<String>,
+    /// What is varied.
+    pub design: DesignText,
+    /// Runs of each variant.
+    pub replicates: u64,
+    /// Root seed.
+    pub seed: u64,
+    /// Number of runs.
+    pub runs: u64,
+    /// Rows of a chunk.
+    pub chunk_rows: u64,
+    /// Hash of the walls of the first variant that can be laid out: a map's file lies elsewhere and may change.
+    pub walls: String,
+}
+
+/// The file.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct OnDisk {
+    #[serde(flatten)]
+    pub(super) manifest: Manifest,
+    /// Where relative paths in the scenario start; where, not what is flown.
+    pub(super) folder: PathBuf,
+}
+
+impl Manifest {
+    /// Of a sweep that was checked; `walls` is what that gave.
+    pub fn of(sweep: &Sweep, walls: String) -> Self {
+        Self {
+            version: VERSION.to_owned(),
+            name: sweep.about.name.clone(),
+            scenario: sweep.source.text.clone(),
+            set: sweep.sets.clone(),
+            design: sweep.design.text().clone(),
+            replicates: sweep.replicates,
+            seed: sweep.seed,
+            runs: sweep.runs(),
+            chunk_rows: chunk::rows(sweep.runs()),
+            walls,
+        }
+    }
+
+    /// The sweep, ready to be flown by this version.
+    ///
+    /// # Errors
+    /// Those of [`Design::parse`] and [`Sweep::new`]: this version does not know the scenario any more.
+    pub fn sweep(&self, folder: &Path) -> Result<Sweep, DesignError> {
+        let source = Source {
+            label: format!("<scenario {}>", self.name),
+            text: self.scenario.clone(),
+            folder: folder.to_owned(),
+        };
+        let design = Design::parse(&self.design, "<design>")?;
+        Sweep::new(source, self.set.clone(), design, self.replicates, self.seed)
+    }
+
+    /// Names the sweep in its chunks.
+    pub(super) fn hash(&self) -> String {
+        // Strings and numbers become JSON without fail.
+        let text = serde_json::to_string(self).unwrap_or_default();
+        format!("{:016x}", XxHash64::oneshot(0, text.as_bytes()))
+    }
+
+    /// What differs from another one, which was asked for; `None` if nothing does.
+    pub(super) fn differs(&self, asked: &Self) -> Option<String> {
+        let (one, other) = (serde_json::to_value(self).ok()?, serde_json::to_value(asked).ok()?);
+        let (one, other) = (one.as_object()?, other.as_object()?);
+        let told = |key: &str| {
+            let (there, here) = (one.get(key)?, other.get(key)?);
+            (there != here).then(|| match key {
+                "scenario" => "the scenario's text is another one".to_owned(),
+                "walls" => "the walls of its map are other ones".to_owned(),
+                "design" => {
+                    let (there, here) = (self.design.says(), asked.design.says());
+                    if there == here {
+                        "what is varied is another design".to_owned()
+                    } else {
+                        format!("{there} there, {here} asked for")
+                    }
+                }
+                _ => format!("{key} = {there} there, {here} asked for"),
+            })
+        };
+        ["version", "name", "set", "design", "replicates", "seed", "scenario", "walls", "runs", "chunk_rows"]
+            .into_iter()
+            .find_map(told)
+    }
+}

@@ -1,0 +1,284 @@
+//! A sweep on disk: nothing that was finished is lost, whatever happens to the process, and the same bytes come out of
+//! it however the work was cut up.
+//!
+//! `sweep.json` says what is flown. Runs are flown in chunks of a fixed number of rows, a file each in `chunks`, written
+//! whole or not at all. When all are there, `runs.parquet` is made of them, and they go.
+
+mod chunk;
+mod durable;
+mod error;
+mod job;
+mod manifest;
+mod merge;
+mod table;
+mod totals;
+
+use std::{
+    fs::{self, File, TryLockError},
+    io::{self, Read as _, Write as _},
+    ops::Range,
+    path::{Path, PathBuf},
+};
+
+pub use error::FolderError;
+pub use job::{Job, Record, Shard, Watch};
+pub use manifest::Manifest;
+pub use merge::merge;
+pub use totals::Totals;
+
+use super::{Cell, Column, Sweep, row::FAILED};
+use manifest::OnDisk;
+use table::{Table, damaged};
+
+/// What is flown.
+const MANIFEST: &str = "sweep.json";
+/// The table.
+pub const TABLE: &str = "runs.parquet";
+/// Chunks that wait for the others.
+const CHUNKS: &str = "chunks";
+/// Recordings, if any are asked for.
+const RECORDINGS: &str = "recordings";
+/// Longest `sweep.json` (bytes): a table and a scenario, with room for their escapes.
+const MANIFEST_MAX_BYTES: u64 = 128 << 20;
+
+/// A sweep's folder.
+#[derive(Debug)]
+pub struct Folder {
+    path: PathBuf,
+    on_disk: OnDisk,
+    hash: String,
+    /// Held as long as someone may write.
+    _lock: Option<File>,
+}
+
+/// What is known of one run of a sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Known {
+    /// Its digest, if it was flown to its end.
+    pub digest: Option<String>,
+    /// Why it failed, if it did.
+    pub failed: Option<String>,
+}
+
+impl Folder {
+    /// A folder to write to: a new one, an empty one, or with `resume` one that holds the same sweep. `scenes` is where
+    /// relative paths in the scenario start.
+    ///
+    /// # Errors
+    /// The folder holds something else or another sweep, another process writes there, or it cannot be written to.
+    pub fn begin(path: &Path, manifest: Manifest, scenes: &Path, resume: bool) -> Result<Self, FolderError> {
+        let folder = || path.to_owned();
+        if path.join(MANIFEST).exists() {
+            if !resume {
+                return Err(FolderError::Exists { folder: folder() });
+            }
+            let there = Self::open(path)?;
+            if let Some(what) = there.on_disk.manifest.differs(&manifest) {
+                return Err(FolderError::Another { folder: folder(), what });
+            }
+            let this = Self { _lock: lock(path)?, ..there };
+            this.prepare()?;
+            return Ok(this);
+        }
+        let is_new = !path.exists();
+        if let Some(found) = stranger(path)? {
+            return Err(FolderError::Occupied { folder: folder(), found });
+        }
+        let made = Self::make(path, manifest, scenes);
+        if made.is_err() && is_new {
+            // Goes only if it is empty, and then it is ours.
+            let _ = fs::remove_dir(path);
+        }
+        made
+    }
+
+    fn make(path: &Path, manifest: Manifest, scenes: &Path) -> Result<Self, FolderError> {
+        fs::create_dir_all(path).map_err(FolderError::io(path, "make the folder"))?;
+        durable::settle(path.parent().unwrap_or(path))?;
+        let lock = lock(path)?;
+        let scenes = if scenes.as_os_str().is_empty() { Path::new(".") } else { scenes };
+        let scenes = std::path::absolute(scenes).map_err(FolderError::io(scenes, "find the folder"))?;
+        let on_disk = OnDisk { manifest, folder: scenes };
+        let file = path.join(MANIFEST);
+        let text = serde_json::to_vec_pretty(&on_disk)
+            .map_err(|error| FolderError::io(&file, "write")(error.into()))?;
+        durable::write(&file, |out| out.write_all(&text).map_err(FolderError::io(&file, "write")))?;
+        let hash = on_disk.manifest.hash();
+        let this = Self { path: path.to_owned(), on_disk, hash, _lock: lock };
+        this.prepare()?;
+        Ok(this)
+    }
+
+    /// What a killed process may not have come to: a folder for chunks, and none once there is a table.
+    fn prepare(&self) -> Result<(), FolderError> {
+        if self.is_complete() {
+            return self.tidy();
+        }
+        let chunks = self.path.join(CHUNKS);
+        fs::create_dir_all(&chunks).map_err(FolderError::io(&chunks, "make the folder"))?;
+        durable::settle(&self.path)
+    }
+
+    /// A folder to read from.
+    ///
+    /// # Errors
+    /// It holds no sweep, or cannot be read.
+    pub fn open(path: &Path) -> Result<Self, FolderError> {
+        let file = path.join(MANIFEST);
+        let mut text = Vec::new();
+        match File::open(&file).and_then(|file| file.take(MANIFEST_MAX_BYTES).read_to_end(&mut text)) {
+            Ok(_) => {}
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                return Err(FolderError::NoSweep { folder: path.to_owned() });
+            }
+            Err(error) => return Err(FolderError::io(&file, "read")(error)),
+        }
+        let on_disk: OnDisk = serde_json::from_slice(&text).map_err(|error| FolderError::Damaged {
+            file,
+            why: error.to_string(),
+            remedy: "fly the sweep again, in another folder",
+        })?;
+        let hash = on_disk.manifest.hash();
+        Ok(Self { path: path.to_owned(), on_disk, hash, _lock: None })
+    }
+
+    /// What is flown.
+    pub fn manifest(&self) -> &Manifest {
+        &self.on_disk.manifest
+    }
+
+    /// The sweep, ready to be flown by this version.
+    ///
+    /// # Errors
+    /// This version does not know the scenario any more.
+    pub fn sweep(&self) -> Result<Sweep, FolderError> {
+        Ok(self.on_disk.manifest.sweep(&self.on_disk.folder)?)
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Whether the table is there, and with it every run.
+    pub fn is_complete(&self) -> bool {
+        self.table_path().exists()
+    }
+
+    fn table_path(&self) -> PathBuf {
+        self.path.join(TABLE)
+    }
+
+    /// Number of chunks.
+    fn chunks(&self) -> u64 {
+        let manifest = self.manifest();
+        manifest.runs.div_ceil(manifest.chunk_rows.max(1))
+    }
+
+    /// Runs of a chunk.
+    fn runs_of(&self, chunk: u64) -> Range<u64> {
+        let manifest = self.manifest();
+        let first = chunk * manifest.chunk_rows;
+        first..(first + manifest.chunk_rows).min(manifest.runs)
+    }
+
+    fn chunk_path(&self, chunk: u64) -> PathBuf {
+        self.path.join(CHUNKS).join(format!("{chunk:08}.jsonl"))
+    }
+
+    fn read_chunk(&self, chunk: u64, columns: &[Column]) -> Result<Vec<Vec<Cell>>, FolderError> {
+        chunk::read(&self.chunk_path(chunk), &self.hash, &self.runs_of(chunk), columns.len())
+    }
+
+    /// Removes the chunks of a complete sweep: the table holds them all.
+    fn tidy(&self) -> Result<(), FolderError> {
+        let chunks = self.path.join(CHUNKS);
+        match fs::remove_dir_all(&chunks) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                Err(FolderError::io(&chunks, "remove")(error))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// What is known of a run.
+    ///
+    /// # Errors
+    /// There is no such run, it was not flown yet, or what holds it is damaged.
+    pub fn known(&self, sweep: &Sweep, run: u64) -> Result<Known, FolderError> {
+        let (runs, columns) = (self.manifest().runs, sweep.columns());
+        if run >= runs {
+            return Err(FolderError::NoSuchRun { run, last: runs - 1 });
+        }
+        let words = |name: &str| -> Result<Option<String>, FolderError> {
+            let place = columns.iter().position(|column| column.name == name).unwrap_or(usize::MAX);
+            let cell = if let (true, Some(column)) = (self.is_complete(), columns.get(place)) {
+                Table::open(&self.table_path())?
+                    .cell(column, run)
+                    .map_err(|e| damaged(&self.table_path(), &e))?
+            } else {
+                let chunk = run / self.manifest().chunk_rows.max(1);
+                if !self.chunk_path(chunk).exists() {
+                    return Err(FolderError::Missing { missing: 1, runs, first: run });
+                }
+                let mut rows = self.read_chunk(chunk, &columns)?;
+                let row = (run - self.runs_of(chunk).start) as usize;
+                if row < rows.len() && place < columns.len() {
+                    rows.swap_remove(row).swap_remove(place)
+                } else {
+                    Cell::Absent
+                }
+            };
+            Ok(cell.text().map(str::to_owned))
+        };
+        Ok(Known { digest: words("digest")?, failed: words(FAILED)? })
+    }
+
+    /// All cells of a column of scalars of a complete sweep, in order, some thousands at a time.
+    ///
+    /// # Errors
+    /// The table cannot be read, now or later.
+    pub fn column(
+        &self,
+        column: &Column,
+    ) -> Result<impl Iterator<Item = Result<Vec<Cell>, FolderError>>, FolderError> {
+        let path = self.table_path();
+        let table = Table::open(&path)?;
+        let cells: Vec<_> = (0..table.groups()).collect();
+        let column = column.clone();
+        Ok(cells
+            .into_iter()
+            .map(move |group| table.cells(&column, group).map_err(|error| damaged(&path, &error))))
+    }
+}
+
+/// A name in a folder that is none of what a killed process may have left there before `sweep.json`.
+fn stranger(path: &Path) -> Result<Option<String>, FolderError> {
+    let entries = match fs::read_dir(path) {
+        Ok(entries) => entries,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(FolderError::io(path, "write")(error)),
+    };
+    for entry in entries {
+        let name = entry.map_err(FolderError::io(path, "read"))?.file_name();
+        let name = name.to_string_lossy();
+        if !name.ends_with(durable::PART) {
+            return Ok(Some(name.into_owned()));
+        }
+    }
+    Ok(None)
+}
+
+/// One process at a time. The system forgets the lock of a process that is killed.
+fn lock(path: &Path) -> Result<Option<File>, FolderError> {
+    if !cfg!(unix) {
+        return Ok(None);
+    }
+    let folder = File::open(path).map_err(FolderError::io(path, "read"))?;
+    match folder.try_lock() {
+        Ok(()) => Ok(Some(folder)),
+        Err(TryLockError::WouldBlock) => Err(FolderError::Busy { folder: path.to_owned() }),
+        // Some file systems know no locks; there everyone minds their own folder.
+        Err(TryLockError::Error(_)) => Ok(None),
+    }
+}

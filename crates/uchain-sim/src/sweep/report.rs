@@ -1,0 +1,139 @@
+//! What a sweep came to, cell by cell: statistics of every number of the summary in every variant.
+
+use super::{
+    Cell, Column, Kind, Sweep,
+    folder::{Folder, FolderError},
+    row::FAILED,
+};
+use crate::analyse::Estimate;
+
+/// Most variants that are kept for tables and pictures.
+pub const CELLS_MAX: usize = 1000;
+/// Most different reasons of failures that are kept.
+const REASONS_MAX: usize = 20;
+
+/// One number of the summary, in the first [`CELLS_MAX`] variants.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Metric {
+    /// Its name.
+    pub name: String,
+    /// Its statistics, by variant; `None` where no run has the number.
+    pub cells: Vec<Option<Estimate>>,
+    /// The one value it has in all runs, if it is the same in all.
+    pub constant: Option<f64>,
+}
+
+/// A reason for which runs failed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Reason {
+    /// In words.
+    pub words: String,
+    /// How many runs.
+    pub runs: u64,
+    /// The first of them.
+    pub first: u64,
+}
+
+/// A sweep's failures.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Failures {
+    /// Runs that failed, by variant, of the first [`CELLS_MAX`].
+    pub cells: Vec<u64>,
+    /// The first different reasons, as they came.
+    pub reasons: Vec<Reason>,
+    /// Runs that failed for other reasons still.
+    pub others: u64,
+}
+
+/// Columns a report is about: the numbers of the summary.
+pub fn metrics(sweep: &Sweep) -> Vec<Column> {
+    let mut columns = sweep.columns();
+    columns.retain(|column| {
+        column.is_result && matches!(column.kind, Kind::Count | Kind::Number | Kind::Single)
+    });
+    columns
+}
+
+/// Calls back with every variant's cells of a column, in order. Memory: the replicates of a variant.
+///
+/// # Errors
+/// The table cannot be read, or the callback fails.
+pub fn each_variant<E: From<FolderError>>(
+    folder: &Folder,
+    column: &Column,
+    mut told: impl FnMut(u64, &[Cell]) -> Result<(), E>,
+) -> Result<(), E> {
+    let replicates = usize::try_from(folder.manifest().replicates).unwrap_or(usize::MAX);
+    let (mut cells, mut variant) = (Vec::new(), 0);
+    for group in folder.column(column)? {
+        for cell in group? {
+            cells.push(cell);
+            if cells.len() == replicates {
+                told(variant, &cells)?;
+                cells.clear();
+                variant += 1;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Statistics of a number in every variant; `told` hears of all of them, the result keeps the first ones.
+///
+/// # Errors
+/// The table cannot be read, or the callback fails.
+pub fn metric<E: From<FolderError>>(
+    folder: &Folder,
+    column: &Column,
+    mut told: impl FnMut(u64, &Estimate) -> Result<(), E>,
+) -> Result<Metric, E> {
+    let (mut kept, mut first, mut is_constant) = (Vec::new(), None, true);
+    each_variant(folder, column, |variant, cells| {
+        let sample: Vec<f64> = cells.iter().filter_map(Cell::number).collect();
+        for number in &sample {
+            is_constant &= *first.get_or_insert(*number) == *number;
+        }
+        is_constant &= sample.len() == cells.len();
+        let estimate = Estimate::of(&sample);
+        if let Some(estimate) = &estimate {
+            told(variant, estimate)?;
+        }
+        if kept.len() < CELLS_MAX {
+            kept.push(estimate);
+        }
+        Ok::<(), E>(())
+    })?;
+    Ok(Metric { name: column.name.clone(), cells: kept, constant: first.filter(|_| is_constant) })
+}
+
+/// Which runs failed, and why.
+///
+/// # Errors
+/// The table cannot be read.
+pub fn failures(folder: &Folder, sweep: &Sweep) -> Result<Failures, FolderError> {
+    let mut failures = Failures::default();
+    let Some(column) = sweep.columns().into_iter().find(|column| column.name == FAILED) else {
+        return Ok(failures);
+    };
+    let replicates = sweep.replicates();
+    each_variant(folder, &column, |variant, cells| {
+        let mut failed = 0;
+        for (replicate, cell) in cells.iter().enumerate() {
+            let Some(words) = cell.text() else { continue };
+            failed += 1;
+            if let Some(reason) = failures.reasons.iter_mut().find(|reason| reason.words == words) {
+                reason.runs += 1;
+            } else if failures.reasons.len() < REASONS_MAX {
+                let first = variant * replicates + replicate as u64;
+                failures.reasons.push(Reason { words: words.to_owned(), runs: 1, first });
+            } else {
+                failures.others += 1;
+            }
+        }
+        if failures.cells.len() < CELLS_MAX {
+            failures.cells.push(failed);
+        }
+        Ok::<(), FolderError>(())
+    })?;
+    Ok(failures)
+}
