@@ -34,7 +34,7 @@ const CHAIN: [Field<Summary>; 19] = [
 ];
 
 /// What an exploration came to.
-const EXPLORE: [Field<ExploreSummary>; 30] = [
+const EXPLORE: [Field<ExploreSummary>; 31] = [
     ("strategy", Kind::Text, |s| word(&s.strategy)),
     ("robots", Kind::Count, |s| u32::from(s.robots).into()),
     ("stopped", Kind::Text, |s| word(&s.stopped)),
