@@ -34,8 +34,9 @@ const CHAIN: [Field<Summary>; 19] = [
 ];
 
 /// What an exploration came to.
-const EXPLORE: [Field<ExploreSummary>; 31] = [
+const EXPLORE: [Field<ExploreSummary>; 33] = [
     ("strategy", Kind::Text, |s| word(&s.strategy)),
+    ("vehicle", Kind::Text, |s| word(&s.vehicle)),
     ("robots", Kind::Count, |s| u32::from(s.robots).into()),
     ("stopped", Kind::Text, |s| word(&s.stopped)),
     ("sim_s", Kind::Number, |s| s.sim_s.into()),
@@ -61,6 +62,7 @@ const EXPLORE: [Field<ExploreSummary>; 31] = [
     ("wall_contacts", Kind::Count, |s| s.wall_contacts.into()),
     ("robot_contacts", Kind::Count, |s| s.robot_contacts.into()),
     ("level_passes", Kind::Count, |s| s.level_passes.into()),
+    ("downwash_s", Kind::Numbers, |s| Cell::list(s.downwash_s.iter().copied())),
     ("downwash_total_s", Kind::Number, |s| s.downwash_s.iter().sum::<f64>().into()),
     ("moves_total", Kind::Count, |s| s.moves.iter().sum::<u32>().into()),
     ("holds_total", Kind::Count, |s| s.holds.iter().sum::<u32>().into()),
