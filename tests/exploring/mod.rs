@@ -2,7 +2,9 @@
 
 mod invariants;
 mod paths;
+mod real_maps;
 mod recording;
+mod strategies;
 mod table;
 mod vehicles;
 

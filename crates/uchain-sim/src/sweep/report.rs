@@ -45,11 +45,14 @@ pub struct Failures {
     pub others: u64,
 }
 
-/// Columns a report is about: the numbers of the summary.
+/// Columns a report is about: the numbers of the summary, but for what is varied.
 pub fn metrics(sweep: &Sweep) -> Vec<Column> {
     let mut columns = sweep.columns();
+    let is_varied = |name: &str| sweep.design().keys().any(|key| key.rsplit('.').next() == Some(name));
     columns.retain(|column| {
-        column.is_result && matches!(column.kind, Kind::Count | Kind::Number | Kind::Single)
+        column.is_result
+            && !is_varied(&column.name)
+            && matches!(column.kind, Kind::Count | Kind::Number | Kind::Single)
     });
     columns
 }

@@ -40,7 +40,7 @@ pub(super) fn write(
         let keys: Vec<String> = sweep.design().keys().map(|key| format!("`{key}`")).collect();
         let _ = writeln!(text, "- varied by a table: {}", keys.join(", "));
     }
-    let _ = writeln!(text, "- {} s simulated, digest `{}`", totals.sim_s, totals.digest);
+    let _ = writeln!(text, "- {:.1} s simulated, digest `{}`", totals.sim_s, totals.digest);
     text.push_str("\nIntervals hold the mean of a cell with 95 % confidence (Student's t).\n");
     let constants: Vec<String> = metrics
         .iter()
