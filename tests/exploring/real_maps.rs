@@ -1,6 +1,6 @@
 //! Places that nobody drew for robots: a city, an office building.
 
-use std::path::PathBuf;
+use std::path::Path;
 
 use uchain_sim::{
     config::{Site, Source},
@@ -10,7 +10,7 @@ use uchain_sim::{
 use super::summary;
 use crate::shared_data;
 
-fn explored(map: PathBuf, sets: &[&str], nodes: usize, coverage: f64) {
+fn explored(map: &Path, sets: &[&str], nodes: usize, coverage: f64) {
     let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
     let source = Source::find(map.to_str().unwrap()).unwrap();
     let summary = summary(&Site::read(&source, &sets).unwrap(), 1);
@@ -24,12 +24,12 @@ fn explored(map: PathBuf, sets: &[&str], nodes: usize, coverage: f64) {
 fn a_hundred_robots_explore_a_city_and_come_home() {
     let Some(data) = shared_data() else { return };
     let city = data.join("maps/movingai/Berlin_1_256.map");
-    explored(city, &["map.cell_m=0.25", "explore.robots=100"], 2500, 0.96);
+    explored(&city, &["map.cell_m=0.25", "explore.robots=100"], 2500, 0.96);
 }
 
 #[test]
 fn twenty_robots_explore_an_office_building_and_come_home() {
     let Some(data) = shared_data() else { return };
     let building = data.join("maps/ros/willow/willow-full-0.05.pgm");
-    explored(building, &["explore.robots=20"], 1000, 0.89);
+    explored(&building, &["explore.robots=20"], 1000, 0.89);
 }
