@@ -14,7 +14,7 @@ use crate::{
     exit::Failure,
     output::{EXPLORE, Names},
     recording::{self, Tape},
-    report::ExploreReport,
+    report::Report,
     watch::{interrupted, listen_for_interrupt},
 };
 
@@ -33,7 +33,7 @@ pub(crate) fn explore(flight: &Flight<'_>, site: &Site) -> Result<String, Failur
     let picture = draw::explore_png(site, &history, &survey, &summary)?;
     let states = draw::states_png(site, &history, &summary)?;
     let map = RosMap::explored(&site.map, site.ground(), &history.nodes, site.scenario.params.r_s_m);
-    let report = ExploreReport::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));
+    let report = Report::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));
     let json = report.json()?;
     if interrupted() {
         return Err(Failure::Interrupted);

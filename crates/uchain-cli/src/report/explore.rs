@@ -1,38 +1,17 @@
-//! The summary of an exploration, for programs and for people.
+//! The summary of an exploration, for people.
 
 use std::fmt::Write as _;
 
-use serde::Serialize;
 use uchain_sim::analyse::explore::ExploreSummary;
 
-/// `summary.json` of an exploration, and what `--json` prints.
-#[derive(Debug, Serialize)]
-pub(crate) struct ExploreReport<'a> {
-    #[serde(flatten)]
-    summary: &'a ExploreSummary,
-    /// How long the computer explored (s); the only number here that differs from run to run. A recording does not
-    /// say.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    wall_s: Option<f64>,
-    /// Version of uchain that explored.
-    version: &'a str,
-}
+use super::Report;
 
 /// Most robots of which each is listed.
 const EACH_MAX: usize = 12;
 /// Most unseen pieces listed to people.
 const UNSEEN_SHOWN: usize = 5;
 
-impl<'a> ExploreReport<'a> {
-    pub(crate) fn new(summary: &'a ExploreSummary, wall_s: Option<f64>, version: &'a str) -> Self {
-        Self { summary, wall_s, version }
-    }
-
-    /// JSON with a newline at its end.
-    pub(crate) fn json(&self) -> Result<String, serde_json::Error> {
-        serde_json::to_string_pretty(self).map(|json| json + "\n")
-    }
-
+impl Report<'_, ExploreSummary> {
     /// A few aligned lines.
     pub(crate) fn text(&self, files: &str) -> String {
         let Self { summary, wall_s, .. } = self;

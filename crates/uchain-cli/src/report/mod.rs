@@ -2,18 +2,16 @@
 
 mod explore;
 
-pub(crate) use explore::ExploreReport;
-
 use std::fmt::Write as _;
 
 use serde::Serialize;
 use uchain_sim::analyse::Summary;
 
-/// `summary.json`, and what `--json` prints.
+/// `summary.json`, and what `--json` prints: of a chain or of an exploration.
 #[derive(Debug, Serialize)]
-pub(crate) struct Report<'a> {
+pub(crate) struct Report<'a, S> {
     #[serde(flatten)]
-    summary: &'a Summary,
+    summary: &'a S,
     /// How long the computer flew (s); the only number here that differs from run to run. A recording does not say.
     #[serde(skip_serializing_if = "Option::is_none")]
     wall_s: Option<f64>,
@@ -24,8 +22,8 @@ pub(crate) struct Report<'a> {
 /// Most links listed to people.
 const LINKS_SHOWN: usize = 12;
 
-impl<'a> Report<'a> {
-    pub(crate) fn new(summary: &'a Summary, wall_s: Option<f64>, version: &'a str) -> Self {
+impl<'a, S: Serialize> Report<'a, S> {
+    pub(crate) fn new(summary: &'a S, wall_s: Option<f64>, version: &'a str) -> Self {
         Self { summary, wall_s, version }
     }
 
@@ -33,7 +31,9 @@ impl<'a> Report<'a> {
     pub(crate) fn json(&self) -> Result<String, serde_json::Error> {
         serde_json::to_string_pretty(self).map(|json| json + "\n")
     }
+}
 
+impl Report<'_, Summary> {
     /// A few aligned lines.
     pub(crate) fn text(&self, files: &str) -> String {
         let Self { summary, wall_s, .. } = self;

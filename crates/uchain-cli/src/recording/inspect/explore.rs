@@ -4,7 +4,10 @@ use std::{fmt::Write as _, io::Read};
 
 use serde::Serialize;
 use uchain_sim::{
-    analyse::{ExploreTimeline, explore::ExploreHistory},
+    analyse::{
+        ExploreTimeline,
+        explore::{ExploreHistory, ExploreSummary},
+    },
     draw,
     record::{
         ExploreFrame, Progress,
@@ -13,13 +16,13 @@ use uchain_sim::{
 };
 
 use super::{MOMENTS, cut, thinned};
-use crate::{exit::Failure, output::INSPECT, recording::Inspect, report::ExploreReport};
+use crate::{exit::Failure, output::INSPECT, recording::Inspect, report::Report};
 
 /// `inspect.json`, and what `--json` prints.
 #[derive(Serialize)]
 struct Inspected<'a> {
     #[serde(flatten)]
-    report: ExploreReport<'a>,
+    report: Report<'a, ExploreSummary>,
     /// Ticks that were recorded.
     ticks: u64,
     /// Whether the file ends as a recording does.
@@ -43,7 +46,7 @@ pub(super) fn inspect(
         summary.outcome = format!("unknown: recorded for {:.2} s", summary.sim_s);
     }
     let version = &recording.about.version;
-    let report = || ExploreReport::new(&summary, None, version);
+    let report = || Report::new(&summary, None, version);
     let inspected =
         Inspected { report: report(), ticks: recording.frames.tick(), whole, progress: &progress };
     let json = serde_json::to_string_pretty(&inspected)? + "\n";

@@ -6,7 +6,7 @@ use std::{fmt::Write as _, io::Read};
 
 use serde::Serialize;
 use uchain_sim::{
-    analyse::Timeline,
+    analyse::{Summary, Timeline},
     draw,
     record::{
         Moment,
@@ -27,7 +27,7 @@ const ROWS: usize = 12;
 #[derive(Serialize)]
 struct Inspected<'a> {
     #[serde(flatten)]
-    report: Report<'a>,
+    report: Report<'a, Summary>,
     /// Ticks that were recorded, and those of a whole run.
     ticks: u64,
     of_ticks: u64,

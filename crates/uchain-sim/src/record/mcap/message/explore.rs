@@ -2,7 +2,7 @@
 
 use uchain_core::explore::{Label, NodeId, Purpose, Sector};
 
-use super::{alike, bounded, few, set};
+use super::{alike, bounded, few, number, set, small, word};
 use crate::record::{ExploreFrame, LabelFrame, NodeFrame, Progress, RobotFrame, Stopped};
 
 /// Words by their numbers in `uchain.proto`.
@@ -285,17 +285,4 @@ impl ExploreFrameMessage {
             ("level_passes", &self.level_passes),
         ])
     }
-}
-
-fn number<T: Copy + PartialEq>(words: &[T], word: T) -> u32 {
-    words.iter().position(|known| *known == word).unwrap_or_default() as u32
-}
-
-fn word<T: Copy>(name: &str, words: &[T], number: u32) -> Result<T, String> {
-    let known = usize::try_from(number).ok().and_then(|number| words.get(number));
-    known.copied().ok_or_else(|| format!("{name} = {number}: expected less than {}", words.len()))
-}
-
-fn small(name: &str, number: u32) -> Result<u16, String> {
-    u16::try_from(number).map_err(|_| format!("{name} = {number}: expected at most {}", u16::MAX))
 }

@@ -93,3 +93,18 @@ fn few(lists: &[(&str, &[u32])]) -> Result<(), String> {
     }
     Ok(())
 }
+
+/// The number of a word.
+fn number<T: Copy + PartialEq>(words: &[T], word: T) -> u32 {
+    words.iter().position(|known| *known == word).unwrap_or_default() as u32
+}
+
+/// The word of a number.
+fn word<T: Copy>(name: &str, words: &[T], number: u32) -> Result<T, String> {
+    let known = usize::try_from(number).ok().and_then(|number| words.get(number));
+    known.copied().ok_or_else(|| format!("{name} = {number}: expected less than {}", words.len()))
+}
+
+fn small(name: &str, number: u32) -> Result<u16, String> {
+    u16::try_from(number).map_err(|_| format!("{name} = {number}: expected at most {}", u16::MAX))
+}

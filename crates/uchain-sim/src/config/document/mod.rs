@@ -1,6 +1,8 @@
 //! A scenario's text as a table that remembers where each value was written: in the text, by `--set`, or in
 //! a preset.
 
+mod merge;
+
 use std::ops::Range;
 
 use toml::{
@@ -13,6 +15,8 @@ use super::{
     diagnose::{Origin, not_an_entry, shorten},
     keys::{TABLES, holds},
 };
+
+use merge::{fill_in, map_spans};
 
 /// The parsed text. A value that came by `--set` number `i` has a span of its own behind the text,
 /// which starts at `text.len() + 1 + i`; behind those lie the spans of the preset's text.
@@ -263,36 +267,6 @@ fn search<'a>(value: &'a Spanned<DeValue<'_>>, span: &Range<usize>, steps: &mut 
         _ => {}
     }
     false
-}
-
-/// Gives a value and all it holds other spans. The parser bounds the depth (80).
-fn map_spans(value: &mut Spanned<DeValue<'_>>, to: &impl Fn(Range<usize>) -> Range<usize>) {
-    let span = to(value.span());
-    let mut inner = std::mem::replace(value.get_mut(), DeValue::Boolean(false));
-    match &mut inner {
-        DeValue::Table(table) => {
-            let entries = std::mem::take(table);
-            for (key, mut held) in entries {
-                map_spans(&mut held, to);
-                table.insert(Spanned::new(to(key.span()), key.into_inner()), held);
-            }
-        }
-        DeValue::Array(items) => items.iter_mut().for_each(|held| map_spans(held, to)),
-        _ => {}
-    }
-    *value = Spanned::new(span, inner);
-}
-
-/// Writes into a table what it does not hold, and so on into the tables within. What is no table stays.
-fn fill_in<'i>(written: &mut Spanned<DeValue<'i>>, more: Spanned<DeValue<'i>>) {
-    let DeValue::Table(more) = more.into_inner() else { return };
-    let DeValue::Table(table) = written.get_mut() else { return };
-    for (key, value) in more {
-        match table.get_mut(&**key.get_ref()) {
-            Some(held) => fill_in(held, value),
-            None => _ = table.insert(key, value),
-        }
-    }
 }
 
 fn whole(source: &Source) -> Origin {

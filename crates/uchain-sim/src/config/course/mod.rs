@@ -1,16 +1,17 @@
 //! A scenario laid out in its tunnel: everything a run needs, shared by many runs.
 
+mod place;
+
 use std::sync::OnceLock;
 
 use glam::Vec2;
 
-use super::{
-    ConfigError, CorridorConfig, MapConfig, MovingAiConfig, RosConfig, Scenario, Source, WallsConfig, check,
-    document::Document,
-};
+pub(super) use place::{build, draw, read, read_grid, refuse};
+
+use super::{ConfigError, MapConfig, Scenario, Source, check, document::Document};
 use crate::{
     analyse::optimum::Chart,
-    map::{CentreLine, Geodesic, Map, MapError, Tunnel, Vertex, corridor, drawn, read_moving_ai, read_ros},
+    map::{CentreLine, Geodesic, Map, Tunnel},
     radio::{Antenna, PathLoss},
     sense::GridRays,
 };
@@ -193,45 +194,6 @@ fn waiting_places(scenario: &Scenario) -> Vec<Place> {
 /// For messages (m): a sum of binary fractions shows no digits that nobody wrote.
 pub(super) fn to_a_micrometre(at_m: f64) -> f64 {
     (at_m * 1e6).round() / 1e6
-}
-
-/// Builds a corridor around the base: there `f32` is finest, wherever the scenario's own frame has its origin.
-pub(super) fn build(
-    config: &CorridorConfig,
-    [base_x_m, base_y_m]: [f64; 2],
-) -> Result<(Map, CentreLine), MapError> {
-    let around = |x_m: f64, y_m: f64| {
-        let corner = |numbers: &Vec<f64>| Vertex {
-            x: numbers.first().copied().unwrap_or_default() - x_m,
-            y: numbers.get(1).copied().unwrap_or_default() - y_m,
-            bend_radius_m: numbers.get(2).copied().unwrap_or_default(),
-        };
-        let corners: Vec<Vertex> = config.centre_line_m.iter().map(corner).collect();
-        corridor(&corners, config.width_m, config.closed)
-    };
-    match around(base_x_m, base_y_m) {
-        Ok((map, line)) => Ok((map.with_offset_m([base_x_m, base_y_m]), line)),
-        // What is wrong is said in the scenario's own coordinates.
-        Err(cause) => Err(around(0.0, 0.0).err().unwrap_or(cause)),
-    }
-}
-
-pub(super) fn draw(config: &WallsConfig) -> Result<Map, MapError> {
-    let loops: Vec<Vec<[f64; 2]>> =
-        std::iter::once(&config.outer_m).chain(&config.inner_m).cloned().collect();
-    drawn(&loops)
-}
-
-pub(super) fn read(config: &RosConfig, source: &Source) -> Result<Map, MapError> {
-    read_ros(&source.folder.join(&config.file), config.unknown, config.cell_m, config.simplify_m)
-}
-
-pub(super) fn read_grid(config: &MovingAiConfig, source: &Source) -> Result<Map, MapError> {
-    read_moving_ai(&source.folder.join(&config.file), config.cell_m)
-}
-
-pub(super) fn refuse(document: &Document<'_>, key: &str, cause: MapError) -> ConfigError {
-    ConfigError::Map { at: document.origin(key), key: key.to_owned(), cause: Box::new(cause) }
 }
 
 /// Checks one place after the other.
