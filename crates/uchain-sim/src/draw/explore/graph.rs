@@ -19,9 +19,12 @@ impl Sheet<'_> {
             let [Some(a), Some(b)] = ends.map(|end| self.history.node(end)) else { continue };
             rule(scene, at(a.believed_m), at(b.believed_m), &GREY, 0.7, None);
         }
-        let robots = self.robots();
+        let (robots, fine) = (self.robots(), self.fine(panel));
         for node in &self.history.nodes {
-            dot(scene, at(node.believed_m), 2.8, &colour::of_uav(node.id.robot.into(), robots), &INK);
+            let fill = colour::of_uav(node.id.robot.into(), robots);
+            // Small dots would be all outline.
+            let outline = if fine < 0.6 { &fill } else { &INK };
+            dot(scene, at(node.believed_m), 2.8 * fine, &fill, outline);
         }
         unclip(scene);
         panel.axes(scene, "x (m)", "y (m)");

@@ -27,6 +27,8 @@ const UNSEEN: Color = Color::Rgb(0x3a, 0x3a, 0x3a);
 const STAR: Color = Color::Rgb(0xb8, 0xc4, 0xd0);
 /// The inside of stars, one on another.
 const STAR_FILL: Color = Color::Rgb(0x9d, 0xbf, 0xe0);
+/// Radius of a star on the page from which on all is drawn at full thickness.
+const STAR_WIDE: f64 = 30.0;
 /// Points of an arc.
 const POINTS: usize = 5;
 
@@ -49,7 +51,7 @@ impl Sheet<'_> {
             let points = way.iter().map(|&at| self.at(panel, at)).collect();
             // Ways run over each other: the later is the thinner.
             let width = 1.2 + 0.6 * (robots - 1 - i).min(5) as f64;
-            scene.add(line(points, &colour::of_uav(i, robots), width));
+            scene.add(line(points, &colour::of_uav(i, robots), self.fine(panel) * width));
         }
         let mut frontiers = 0;
         for node in &self.history.nodes {
@@ -61,12 +63,19 @@ impl Sheet<'_> {
         }
         for (i, way) in self.history.ways_m.iter().enumerate() {
             if let Some(&start) = way.first() {
-                dot(scene, self.at(panel, start), 4.0, &colour::of_uav(i, robots), &INK);
+                dot(scene, self.at(panel, start), 4.0 * self.fine(panel), &colour::of_uav(i, robots), &INK);
             }
         }
         unclip(scene);
         panel.axes(scene, "x (m)", "y (m)");
         self.legend(scene, panel, frontiers);
+    }
+
+    /// Thickness of what is drawn, against that on a map on which stars are large (1).
+    pub(super) fn fine(&self, panel: &Panel) -> f64 {
+        let from = self.at(panel, [0.0, 0.0]).0;
+        let star = self.at(panel, [self.site.scenario.params.r_s_m, 0.0]).0 - from;
+        (star / STAR_WIDE).clamp(0.3, 1.0)
     }
 
     fn at(&self, panel: &Panel, at: [f32; 2]) -> (f64, f64) {
@@ -113,11 +122,13 @@ impl Sheet<'_> {
     fn legend(&self, scene: &mut Scene, panel: &Panel, frontiers: usize) {
         const SHOWN: usize = 12;
         let robots = self.robots();
-        for i in 0..robots.min(SHOWN) {
-            let (x, y) = legend(scene, panel, i, &format!("robot {i}"));
+        let row = robots.min(SHOWN);
+        // Of many, some of every colour.
+        for row in 0..row {
+            let i = if robots > SHOWN { row * (robots - 1) / (SHOWN - 1) } else { row };
+            let (x, y) = legend(scene, panel, row, &format!("robot {i}"));
             rule(scene, (x - 8.0, y), (x + 8.0, y), &colour::of_uav(i, robots), 1.8, None);
         }
-        let row = robots.min(SHOWN);
         let spot = legend(scene, panel, row, "its start");
         dot(scene, spot, 4.0, &colour::of_uav(0, robots.max(1)), &INK);
         let (x, y) = legend(scene, panel, row + 1, "star");
