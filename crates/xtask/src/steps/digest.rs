@@ -19,7 +19,7 @@ const MISSIONS: [Mission; 5] = [
     ("corner", &["center.c_t_per_s=0.0", "center.c_r_rad_per_s_m=0.0"]),
     ("circuit-frontiers2021", &[]),
     ("apartment", &["explore.position_sigma_m=0.02", "explore.scan_s=0.2", "explore.range_m=3"]),
-    ("lab", &[]),
+    ("lab", &["explore.position_sigma_m=0.005"]),
 ];
 
 /// Makes the system's C library choose its functions as on a CPU without FMA and AVX2 (glibc on x86-64).
