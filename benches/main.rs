@@ -3,6 +3,7 @@
 //! beside the baseline's.
 
 mod count;
+mod explore;
 mod laws;
 mod maps;
 mod rays;
@@ -23,6 +24,7 @@ fn main() -> ExitCode {
     w1::all(&mut criterion);
     record::all(&mut criterion);
     run::all(&mut criterion);
+    explore::all(&mut criterion);
     criterion.final_summary();
     ExitCode::SUCCESS
 }
