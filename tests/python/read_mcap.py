@@ -62,7 +62,7 @@ def check_frames(frames, ticks):
         ).split():
             assert len(getattr(frame, name)) == uavs, name
         assert len(frame.tof_m) in (0, 4 * uavs)
-        assert len(frame.link_uav) == len(frame.link_true_db) == len(frame.link_filtered_db)
+        assert len(frame.link_uav) == len(frame.link_true_db) == len(frame.link_filtered_db) == len(frame.link_raw_db)
     assert any(len(frame.tof_m) for _, frame in frames) and any(len(frame.link_uav) for _, frame in frames)
 
 

@@ -2,7 +2,7 @@
 
 use super::{
     CenterParams, Centering, Command, End, EqualizeParams, Follow, HeadGuard, KalmanParams, LinkEnd,
-    LinkParams, Observation, Packet, RadioSlot, RelayGuard, Takeoff, TakeoffParams, center, equalize,
+    LinkParams, Observation, Packet, RadioSlot, RelayGuard, Signal, Takeoff, TakeoffParams, center, equalize,
 };
 use crate::seam::Brain;
 
@@ -96,6 +96,11 @@ impl Node {
     /// Filtered loss of the link toward the base (dB); `None` before its first packet.
     pub fn back_loss_db(&self) -> Option<f32> {
         self.back.loss_db()
+    }
+
+    /// Loss of the last packet over the link toward the base, as measured (dB); `None` before its first packet.
+    pub fn back_raw_db(&self) -> Option<f32> {
+        self.back.signal_db(Signal::Raw)
     }
 
     /// Filtered loss of the link toward the head (dB); `None` before its first packet.

@@ -21,7 +21,8 @@ const NAMED_MAX: usize = 10;
 pub(super) struct Losses<'a> {
     frames: Vec<&'a Frame>,
     uavs: usize,
-    s_min_db: f64,
+    /// `None` where every signal launches.
+    s_min_db: Option<f64>,
     end_s: f64,
     launches_s: &'a [f64],
     y_range: (f64, f64),
@@ -30,8 +31,9 @@ pub(super) struct Losses<'a> {
 impl<'a> Losses<'a> {
     pub(super) fn new(course: &Course, history: &'a History, summary: &'a Summary) -> Self {
         let frames = thinned(&history.frames);
-        let s_min_db = f64::from(course.scenario.takeoff.s_min_db);
-        let (mut low_db, mut high_db) = (s_min_db - 8.0, s_min_db + 4.0);
+        let s_min_db = Some(f64::from(course.scenario.takeoff.s_min_db)).filter(|s_min_db| *s_min_db > 0.0);
+        let (mut low_db, mut high_db) =
+            s_min_db.map_or((f64::INFINITY, f64::NEG_INFINITY), |s_min_db| (s_min_db - 8.0, s_min_db + 4.0));
         for link in frames.iter().flat_map(|frame| &frame.links) {
             for loss_db in
                 [Some(link.true_db), link.filtered_db].into_iter().flatten().filter(|l| l.is_finite())
@@ -39,6 +41,9 @@ impl<'a> Losses<'a> {
                 low_db = low_db.min(f64::from(loss_db));
                 high_db = high_db.max(f64::from(loss_db));
             }
+        }
+        if low_db > high_db {
+            (low_db, high_db) = (0.0, 100.0);
         }
         Self {
             frames,
@@ -82,8 +87,10 @@ impl<'a> Losses<'a> {
             let stroke = colour::of_uav(i, self.uavs);
             panel.line(scene, self.link(i, |link| Some(link.true_db)), &stroke, 1.6);
         }
-        let (left, y) = panel.at(0.0, self.s_min_db);
-        rule(scene, (left, y), (panel.right(), y), &INK, 1.2, Some("6 4"));
+        if let Some(s_min_db) = self.s_min_db {
+            let (left, y) = panel.at(0.0, s_min_db);
+            rule(scene, (left, y), (panel.right(), y), &INK, 1.2, Some("6 4"));
+        }
         unclip(scene);
         self.legend(scene, panel);
     }
@@ -103,7 +110,7 @@ impl<'a> Losses<'a> {
     /// A vertical mark per launch, with the UAV's number above the box where there is room.
     fn launches(&self, scene: &mut Scene, panel: &Panel) {
         for (i, &launch_s) in self.launches_s.iter().enumerate() {
-            let (x, _) = panel.at(launch_s, self.s_min_db);
+            let (x, _) = panel.at(launch_s, 0.0);
             let stroke = colour::of_uav(i, self.uavs);
             rule(scene, (x, panel.top()), (x, panel.bottom()), &stroke, 1.0, Some("1.5 3"));
         }
@@ -112,7 +119,7 @@ impl<'a> Losses<'a> {
     fn launch_numbers(&self, scene: &mut Scene, panel: &Panel) {
         let mut free_from = f64::NEG_INFINITY;
         for (i, &launch_s) in self.launches_s.iter().enumerate() {
-            let (x, _) = panel.at(launch_s, self.s_min_db);
+            let (x, _) = panel.at(launch_s, 0.0);
             if x >= free_from {
                 caption(scene, (x, panel.top() - 4.0), &i.to_string(), &colour::of_uav(i, self.uavs));
                 free_from = x + 16.0;
@@ -136,7 +143,9 @@ impl<'a> Losses<'a> {
         };
         mark("true", 1.8, &GREY, None);
         mark("filtered", 0.8, &GREY, None);
-        mark(&format!("s_min {} dB", self.s_min_db), 1.2, &INK, Some("6 4"));
+        if let Some(s_min_db) = self.s_min_db {
+            mark(&format!("s_min {s_min_db} dB"), 1.2, &INK, Some("6 4"));
+        }
         mark("launch", 1.0, &GREY, Some("1.5 3"));
     }
 }

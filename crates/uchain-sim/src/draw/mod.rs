@@ -2,6 +2,8 @@
 
 mod colour;
 mod explore;
+#[cfg(feature = "sweep")]
+pub mod figure;
 mod ground;
 mod losses;
 mod panel;
@@ -10,14 +12,14 @@ mod plan;
 pub mod sweep;
 mod tunnel;
 
-use kuva::{RasterBackend, render::render::Scene};
+use kuva::{RasterBackend, backend::svg::SvgBackend, render::render::Scene};
 
 use crate::{
     analyse::{Plan, Summary},
     config::Course,
     record::History,
 };
-pub use explore::{explore_png, states_png};
+pub use explore::{explore_picture, states_png};
 use losses::Losses;
 use panel::{FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE};
 use tunnel::Tunnel;
@@ -27,6 +29,9 @@ const SCALE: f32 = 2.0;
 
 /// Distance between two lines of text.
 const LINE: f64 = 15.0;
+/// Letters of a line of text, and of a headline.
+const LONGEST: usize = 104;
+const LONGEST_HEADLINE: usize = 86;
 
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
@@ -36,24 +41,45 @@ pub enum DrawError {
     Raster(String),
 }
 
-/// One run on one page, as a PNG 1400 px wide. Above: the loss of every link over time (solid = true,
+/// A picture in two forms.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// 1400 px wide.
+    pub png: Vec<u8>,
+    /// The same as a drawing.
+    pub svg: String,
+}
+
+impl Picture {
+    fn of(scene: &Scene) -> Result<Self, DrawError> {
+        let png = RasterBackend { scale: SCALE }.render_scene(scene).map_err(DrawError::Raster)?;
+        Ok(Self { png, svg: SvgBackend::new().render_scene(scene) })
+    }
+}
+
+/// One run on one page. Above: the loss of every link over time (solid = true,
 /// thin = as the filter sees it), the threshold `s_min`, the launches (after Laclau 2021, Fig. 4D).
 /// Below: the map at equal aspect, cropped to where the UAVs flew, with their tracks; its axes are in
 /// the map file's own frame.
 ///
 /// # Errors
 /// [`DrawError::Raster`].
-pub fn run_png(course: &Course, history: &History, summary: &Summary) -> Result<Vec<u8>, DrawError> {
+pub fn run_picture(course: &Course, history: &History, summary: &Summary) -> Result<Picture, DrawError> {
     let losses = Losses::new(course, history, summary);
-    let losses_panel = Panel::new(42.0, losses.height(), losses.x_range(), losses.y_range());
+    // The seed of a sweep's run is a long number.
+    let lines = wrapped(&headline(summary), LONGEST_HEADLINE);
+    let top = 42.0 + LINE * lines.len().saturating_sub(1) as f64;
+    let losses_panel = Panel::new(top, losses.height(), losses.x_range(), losses.y_range());
     let tunnel = Tunnel::new(course, history, summary);
     let tunnel_panel = tunnel.panel(losses_panel.bottom() + 58.0);
 
     let mut scene = Scene::new(FIGURE_WIDTH, tunnel_panel.bottom() + 44.0);
-    panel::text(&mut scene, (losses_panel.left(), 20.0), TEXT_LARGE, &headline(summary));
+    for (i, line) in lines.iter().enumerate() {
+        panel::text(&mut scene, (losses_panel.left(), 20.0 + LINE * i as f64), TEXT_LARGE, line);
+    }
     losses.draw(&mut scene, &losses_panel);
     tunnel.draw(&mut scene, &tunnel_panel);
-    RasterBackend { scale: SCALE }.render_scene(&scene).map_err(DrawError::Raster)
+    Picture::of(&scene)
 }
 
 /// A plan on one page, as a PNG 1400 px wide: relays needed, loss of the worst link of the best chain, and time,
@@ -62,7 +88,7 @@ pub fn run_png(course: &Course, history: &History, summary: &Summary) -> Result<
 /// # Errors
 /// [`DrawError::Raster`].
 pub fn plan_png(plan: &Plan, answer: &str) -> Result<Vec<u8>, DrawError> {
-    let lines = wrapped(answer);
+    let lines = wrapped(answer, LONGEST);
     let sheet = plan::Sheet::new(plan, 34.0 + LINE * lines.len() as f64);
     let mut scene = Scene::new(FIGURE_WIDTH, sheet.bottom() + 44.0);
     panel::text(&mut scene, (sheet.left(), 18.0), TEXT_LARGE, &plan.scenario);
@@ -73,13 +99,12 @@ pub fn plan_png(plan: &Plan, answer: &str) -> Result<Vec<u8>, DrawError> {
     RasterBackend { scale: SCALE }.render_scene(&scene).map_err(DrawError::Raster)
 }
 
-/// Lines of text short enough for the page.
-fn wrapped(text: &str) -> Vec<String> {
-    const LONGEST: usize = 104;
+/// Lines of text of so many letters at most.
+fn wrapped(text: &str, longest: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= LONGEST => {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= longest => {
                 line.push(' ');
                 line.push_str(word);
             }

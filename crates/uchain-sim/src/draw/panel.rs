@@ -64,6 +64,13 @@ impl Panel {
         self
     }
 
+    /// The same with words instead of numbers on the horizontal axis, at 1, 2, 3 and so on.
+    #[cfg(feature = "sweep")]
+    pub(super) fn with_words(mut self, words: Vec<String>) -> Self {
+        self.layout = self.layout.with_x_categories(words);
+        self
+    }
+
     pub(super) fn left(&self) -> f64 {
         self.computed.margin_left
     }

@@ -128,6 +128,7 @@ impl<'a> ChainMission<'a> {
             uav,
             true_db,
             filtered_db: self.nodes[uav].back_loss_db(),
+            raw_db: self.nodes[uav].back_raw_db(),
         })
     }
 }

@@ -50,6 +50,8 @@ pub struct LinkFrame {
     pub true_db: f32,
     /// The front end's filtered estimate (dB); `None` before its first packet.
     pub filtered_db: Option<f32>,
+    /// The front end's last sample, as measured (dB); `None` before its first packet.
+    pub raw_db: Option<f32>,
 }
 
 /// One instant of a run.

@@ -58,7 +58,7 @@ mod tests {
 
     #[test]
     fn one_link_has_no_spread() {
-        let link = |true_db| LinkFrame { uav: 0, true_db, filtered_db: None };
+        let link = |true_db| LinkFrame { uav: 0, true_db, filtered_db: None, raw_db: None };
         assert_eq!(spread_db(&[link(50.0)]), None);
         assert_eq!(spread_db(&[link(50.0), link(57.0), link(52.0)]), Some(7.0));
     }

@@ -45,10 +45,11 @@ fn uav(uav: &UavFrame) -> [(&'static str, Value); 13] {
     ]
 }
 
-fn link(link: &LinkFrame) -> [(&'static str, Value); 3] {
+fn link(link: &LinkFrame) -> [(&'static str, Value); 4] {
     [
         ("uav", Value::Count(link.uav as u64)),
         ("true_db", Value::Number(link.true_db)),
         ("filtered_db", link.filtered_db.into()),
+        ("raw_db", link.raw_db.into()),
     ]
 }

@@ -6,10 +6,10 @@ mod states;
 mod time;
 
 use glam::DVec2;
-use kuva::{RasterBackend, render::render::Scene};
+use kuva::render::render::Scene;
 
 use super::{
-    DrawError, SCALE,
+    DrawError, Picture,
     panel::{self, BOX_WIDTH, FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE},
 };
 use crate::{
@@ -34,32 +34,35 @@ struct Sheet<'a> {
     summary: &'a ExploreSummary,
 }
 
-/// One exploration on one page, as a PNG 1400 px wide (after Kim 2021, Fig. 9). Above: the map with the stars of all
-/// nodes, frontiers that are left, each robot's way and start, and what nobody saw. Middle: nodes and roadmap. Below:
-/// coverage over time. The axes are in the frame of the map's file or scenario.
+/// One exploration on one page (after Kim 2021, Fig. 9). Above: the map with the stars of all nodes, frontiers that are
+/// left, each robot's way and start, and what nobody saw. Middle: nodes and roadmap. Below: coverage over time. The axes
+/// are in the frame of the map's file or scenario.
 ///
 /// # Errors
 /// [`DrawError::Raster`].
-pub fn explore_png(
+pub fn explore_picture(
     site: &Site,
     history: &ExploreHistory,
     survey: &Survey,
     summary: &ExploreSummary,
-) -> Result<Vec<u8>, DrawError> {
-    let sheet = Sheet { site, history, survey, summary };
-    let above = sheet.panel(64.0);
-    let middle = sheet.panel(above.bottom() + 52.0);
-    let below = sheet.time_panel(middle.bottom() + 58.0);
-    let mut scene = Scene::new(FIGURE_WIDTH, below.bottom() + 44.0);
-    panel::text(&mut scene, (above.left(), 20.0), TEXT_LARGE, &headline(summary));
-    panel::text(&mut scene, (above.left(), 38.0), TEXT_LABEL, &sheet.figures());
-    sheet.draw_stars(&mut scene, &above);
-    sheet.draw_graph(&mut scene, &middle);
-    sheet.draw_time(&mut scene, &below);
-    RasterBackend { scale: SCALE }.render_scene(&scene).map_err(DrawError::Raster)
+) -> Result<Picture, DrawError> {
+    Picture::of(&Sheet { site, history, survey, summary }.scene())
 }
 
 impl Sheet<'_> {
+    fn scene(&self) -> Scene {
+        let above = self.panel(64.0);
+        let middle = self.panel(above.bottom() + 52.0);
+        let below = self.time_panel(middle.bottom() + 58.0);
+        let mut scene = Scene::new(FIGURE_WIDTH, below.bottom() + 44.0);
+        panel::text(&mut scene, (above.left(), 20.0), TEXT_LARGE, &headline(self.summary));
+        panel::text(&mut scene, (above.left(), 38.0), TEXT_LABEL, &self.figures());
+        self.draw_stars(&mut scene, &above);
+        self.draw_graph(&mut scene, &middle);
+        self.draw_time(&mut scene, &below);
+        scene
+    }
+
     fn figures(&self) -> String {
         let summary = self.summary;
         format!(

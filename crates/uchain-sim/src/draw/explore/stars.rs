@@ -97,6 +97,8 @@ impl Sheet<'_> {
 
     /// Cells side by side in a row are one rectangle.
     fn unseen(&self, scene: &mut Scene, panel: &Panel) {
+        /// Onto the next row, or a line of light is left between them.
+        const OVERLAP: f64 = 0.4;
         let (ground, coverage) = (self.site.ground(), &self.survey.coverage);
         let [cols, rows] = ground.size();
         let left = |index: usize| ground.is_reachable(index) && !coverage.has_seen(index);
@@ -114,7 +116,7 @@ impl Sheet<'_> {
                 let high = ground.middle_of(from + run - 1).as_dvec2() + half;
                 let ((x, bottom), (right, y)) =
                     (on_page(panel, &self.site.map, low), on_page(panel, &self.site.map, high));
-                scene.add(square((x, y), right - x, bottom - y));
+                scene.add(square((x, y), right - x, bottom - y + OVERLAP));
             }
         }
     }

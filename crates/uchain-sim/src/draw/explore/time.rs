@@ -20,13 +20,15 @@ impl Sheet<'_> {
             ("T90", summary.coverage_t90_s),
             ("T100", summary.coverage_t100_s),
         ];
-        for (_, at_s) in times {
+        // Of an exploration that goes on nobody knows yet.
+        let known = || times.into_iter().filter(|(_, at_s)| at_s.is_finite());
+        for (_, at_s) in known() {
             let (x, _) = panel.at(at_s, 0.0);
             rule(scene, (x, panel.top()), (x, panel.bottom()), &GREY, 1.0, Some("4 4"));
         }
         unclip(scene);
         let mut free_from = f64::NEG_INFINITY;
-        for (name, at_s) in times {
+        for (name, at_s) in known() {
             let (x, _) = panel.at(at_s, 0.0);
             // Two that nearly meet are named once.
             if x >= free_from {

@@ -1,9 +1,9 @@
 //! A sweep: one number of the summary over one key of the scenario.
 
-use kuva::{RasterBackend, backend::svg::SvgBackend, render::render::Scene};
+use kuva::render::render::Scene;
 
 use super::{
-    DrawError, SCALE, colour,
+    DrawError, Picture, colour,
     panel::{FIGURE_WIDTH, Panel, TEXT_LARGE, dot, legend, rule, text},
 };
 use crate::analyse::Estimate;
@@ -37,15 +37,6 @@ pub struct Line {
     pub points: Vec<(f64, Estimate)>,
 }
 
-/// A picture in two forms.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Picture {
-    /// 1400 px wide.
-    pub png: Vec<u8>,
-    /// The same as a drawing.
-    pub svg: String,
-}
-
 /// Draws means as dots on a line, and the 95 % interval of each as a bar.
 ///
 /// # Errors
@@ -76,8 +67,7 @@ pub fn chart(chart: &Chart<'_>) -> Result<Picture, DrawError> {
             dot(&mut scene, at, 2.6, &ink, &ink);
         }
     }
-    let png = RasterBackend { scale: SCALE }.render_scene(&scene).map_err(DrawError::Raster)?;
-    Ok(Picture { png, svg: SvgBackend::new().render_scene(&scene) })
+    Picture::of(&scene)
 }
 
 /// The range of some values, with room around them; one value has room as well.

@@ -44,6 +44,8 @@ pub struct FrameMessage {
     link_filtered_db: Vec<f32>,
     #[prost(float, tag = "16")]
     head_reach_m: f32,
+    #[prost(float, repeated, tag = "17")]
+    link_raw_db: Vec<f32>,
 }
 
 /// `uchain.Metrics`.
@@ -100,6 +102,7 @@ impl FrameMessage {
         }
         set(&mut self.link_uav, links.iter().map(|link| link.uav as u32));
         set(&mut self.link_true_db, links.iter().map(|link| link.true_db));
+        set(&mut self.link_raw_db, links.iter().map(|link| link.raw_db.unwrap_or(f32::NAN)));
         set(&mut self.link_filtered_db, links.iter().map(|link| link.filtered_db.unwrap_or(f32::NAN)));
     }
 
@@ -131,11 +134,12 @@ impl FrameMessage {
     }
 
     fn link(&self, i: usize) -> Option<LinkFrame> {
-        let filtered_db = *self.link_filtered_db.get(i)?;
+        let [filtered_db, raw_db] = [*self.link_filtered_db.get(i)?, *self.link_raw_db.get(i)?];
         Some(LinkFrame {
             uav: *self.link_uav.get(i)? as usize,
             true_db: *self.link_true_db.get(i)?,
             filtered_db: (!filtered_db.is_nan()).then_some(filtered_db),
+            raw_db: (!raw_db.is_nan()).then_some(raw_db),
         })
     }
 
@@ -159,8 +163,11 @@ impl FrameMessage {
             alike(4 * uavs, "x_m, times four", &[("tof_m", self.tof_m.len())])?;
         }
         let links = self.link_uav.len();
-        let lengths =
-            [("link_true_db", self.link_true_db.len()), ("link_filtered_db", self.link_filtered_db.len())];
+        let lengths = [
+            ("link_true_db", self.link_true_db.len()),
+            ("link_filtered_db", self.link_filtered_db.len()),
+            ("link_raw_db", self.link_raw_db.len()),
+        ];
         alike(links, "link_uav", &lengths)?;
         if let Some(uav) = self.link_uav.iter().find(|uav| **uav as usize >= uavs) {
             return Err(format!("link_uav = {uav}: expected one of {uavs} UAVs"));
@@ -183,7 +190,11 @@ impl FrameMessage {
         ])?;
         // NaN stands for none.
         let most = 10.0 * FARTHEST_M;
-        for (name, list) in [("tof_m", &self.tof_m), ("link_filtered_db", &self.link_filtered_db)] {
+        for (name, list) in [
+            ("tof_m", &self.tof_m),
+            ("link_filtered_db", &self.link_filtered_db),
+            ("link_raw_db", &self.link_raw_db),
+        ] {
             if let Some(value) = list.iter().find(|value| value.abs() > most) {
                 return Err(format!("{name} = {value}: expected a number within ±{most}"));
             }
