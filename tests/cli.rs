@@ -12,6 +12,9 @@ mod hints;
 /// A Ctrl-C, a reader that went away.
 #[path = "cli/interrupt.rs"]
 mod interrupt;
+/// `uchain paper`.
+#[path = "cli/paper.rs"]
+mod paper;
 /// `uchain plan`.
 #[path = "cli/plan.rs"]
 mod plan;

@@ -16,6 +16,8 @@ mod fast;
 mod faults;
 /// Claims of the laws for whatever they may meet.
 mod laws;
+/// The papers' figures and tables are what the report says.
+mod paper;
 /// What is recorded can be read again, and what is damaged cannot.
 mod record;
 /// The shipped scenarios do what their descriptions say.

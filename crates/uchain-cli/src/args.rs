@@ -11,7 +11,7 @@ use clap_complete::Shell;
 use crate::{
     exit::{self, Exit, Failure},
     output::Folder,
-    print, recording, sweep, teach,
+    paper, print, recording, sweep, teach,
 };
 pub(crate) use plan::Plan;
 
@@ -48,6 +48,8 @@ pub(crate) enum Command {
     Repro(sweep::Repro),
     /// How many UAVs does a tunnel need, and for how long? (flies nothing)
     Plan(Box<Plan>),
+    /// Draw the figures and tables of the papers again, published values beside ours
+    Paper(paper::Paper),
     /// List the scenarios and the presets that are built in
     #[command(after_help = text::LIST)]
     List,
@@ -195,6 +197,11 @@ pub(crate) struct Quiet {
 }
 
 impl Quiet {
+    /// Whether only errors are to be said.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.quiet
+    }
+
     /// Prints, unless asked not to.
     pub(crate) fn report(&self, text: impl FnOnce() -> String) -> Result<(), Failure> {
         if self.quiet { Ok(()) } else { print(&text()) }

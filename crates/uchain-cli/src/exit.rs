@@ -98,6 +98,8 @@ pub(crate) enum Failure {
     #[error("the flights differ")]
     Differ,
     #[error(transparent)]
+    Paper(#[from] uchain_sim::paper::PaperError),
+    #[error(transparent)]
     Design(DesignError),
     #[error(transparent)]
     Sweep(FolderError),
@@ -169,6 +171,7 @@ impl Failure {
             | Self::Json(_)
             | Self::Draw(_)
             | Self::Stdout(_)
+            | Self::Paper(_)
             | Self::Run(_)
             | Self::Cut { .. }
             | Self::Tape { .. } => Exit::RunFailed,

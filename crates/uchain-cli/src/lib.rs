@@ -7,6 +7,7 @@ mod args;
 mod exit;
 mod fly;
 mod output;
+mod paper;
 mod plan;
 mod recording;
 mod report;
@@ -57,6 +58,7 @@ fn obey(command: Command) -> Result<(), Failure> {
         Command::Report(asked) => sweep::report(&asked),
         Command::Repro(asked) => sweep::repro(&asked),
         Command::Plan(asked) => plan::reckon(&asked),
+        Command::Paper(asked) => paper::redraw(&asked),
         Command::List => print(&list()?),
         Command::Show { preset: Some(name), .. } => print(Preset::find(&name)?.text),
         Command::Show { scenario, .. } => print(&Source::find(&scenario.unwrap_or_default())?.text),

@@ -73,7 +73,9 @@ impl Folder {
         for entry in entries {
             let name = entry.map_err(refuse)?.file_name();
             let name = name.to_string_lossy();
-            let is_ours = ALL.iter().any(|names| names.hold(&name)) || name.starts_with(UNFINISHED);
+            let is_ours = ALL.iter().any(|names| names.hold(&name))
+                || crate::paper::leaves(&name)
+                || name.starts_with(UNFINISHED);
             if !is_ours && !force {
                 return Err(Failure::Occupied { folder: path.to_owned(), found: name.into_owned() });
             }
@@ -141,6 +143,18 @@ impl Folder {
             let ready: Vec<(&str, NamedTempFile)> = ready.collect::<Result<_, _>>()?;
             ready.into_iter().try_for_each(|(name, file)| self.show(name, file))
         })
+    }
+
+    /// Writes files of any names, each whole or not at all.
+    pub(crate) fn write_each(&self, files: &[(String, &[u8])]) -> Result<(), Failure> {
+        self.or_not_at_all(|| {
+            files.iter().try_for_each(|(name, bytes)| self.show(name, self.prepare(name, bytes)?))
+        })
+    }
+
+    /// Where it is, for people.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
     }
 
     fn prepare(&self, name: &str, bytes: &[u8]) -> Result<NamedTempFile, Failure> {

@@ -13,6 +13,8 @@ pub mod draw;
 pub mod explore;
 pub mod map;
 pub mod mission;
+#[cfg(feature = "paper")]
+pub mod paper;
 pub mod radio;
 pub mod record;
 #[cfg(feature = "record")]

@@ -12,6 +12,7 @@ Examples:
   uchain verify runs/corner-s1/run.mcap      fly it again: still the same, bit for bit?
   uchain sweep corner --vary radio.sigma_db=0,4 --replicates 20 --out sigma && uchain report sigma
   uchain plan corner                         how many UAVs does it need? (flies nothing)
+  uchain paper fig4e fig10 --out again       figures of the papers, published values beside ours
   uchain explain radio.alpha_wall            what is that, and what may it be?
   uchain show corner > mine.toml             copy a scenario and edit it
   uchain check mine.toml                     is it right? (flies nothing)

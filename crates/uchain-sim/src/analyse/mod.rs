@@ -7,6 +7,8 @@ mod metrics;
 pub mod optimum;
 mod plan;
 #[cfg(feature = "sweep")]
+mod significance;
+#[cfg(feature = "sweep")]
 mod stats;
 mod summary;
 mod timeline;
@@ -15,6 +17,8 @@ pub use compare::{Compare, Comparison, Difference, Value, Whose};
 pub use digest::Digest;
 pub use metrics::Metrics;
 pub use plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan};
+#[cfg(feature = "sweep")]
+pub use significance::{Tendency, is_less_in_pairs, is_rarer_in_pairs, saved_percent, tends_to_be_less};
 #[cfg(feature = "sweep")]
 pub use stats::Estimate;
 pub use summary::{LinkSummary, Summary};

@@ -69,6 +69,13 @@ pub fn on_threads<T: Send>(threads: Option<usize>, work: impl FnOnce() -> T + Se
     pool.map(|pool| pool.install(work)).map_err(|cause| PoolError { threads, cause })
 }
 
+/// Does something with every number below `count`, on all processors; results in order.
+#[cfg(feature = "paper")]
+pub(crate) fn each_of<T: Send>(count: u64, work: impl Fn(u64) -> T + Sync + Send) -> Vec<T> {
+    let count = usize::try_from(count).unwrap_or(usize::MAX);
+    (0..count).into_par_iter().map(|index| work(index as u64)).collect()
+}
+
 /// The error of the first variant that has one.
 pub(super) fn first_error<E: Send>(
     variants: u64,

@@ -30,6 +30,8 @@ use shelf::Shelf;
 pub use axis::TABLE_MAX_BYTES;
 pub use cell::{Cell, Column, Kind};
 pub use design::{Design, DesignError, DesignText, RUNS_MAX};
+#[cfg(feature = "paper")]
+pub(crate) use fly::each_of;
 pub use fly::{Flown, Onlooker, PoolError, fly, on_threads};
 
 /// One run of a sweep.

@@ -1,0 +1,129 @@
+//! The papers' figures and tables, again.
+
+use std::{io::Write as _, time::Instant};
+
+use clap::{Args, builder::PossibleValuesParser};
+use uchain_sim::paper::{Flights, ITEMS, Item, Outcome, Verdict, report, verdicts as table};
+
+use crate::{
+    args::{Out, Quiet},
+    exit::Failure,
+    output::Folder,
+};
+
+/// Stands for every item.
+const ALL: &str = "all";
+/// The report of what was asked for.
+const REPORT: &str = "REPORT.md";
+/// Its rows, for programs.
+const VERDICTS: &str = "verdicts.csv";
+
+const EXAMPLES: &str = "\
+Examples:
+  uchain paper all --out again              every figure and table of Laclau 2021 and Kim 2021
+  uchain paper fig4e fig4f                  two of them; results in ./paper
+  uchain paper formal ablations --out more  what the papers prove or leave open, in numbers
+
+Writes REPORT.md (published | ours | agrees?) of the items asked for, verdicts.csv with its rows, a PNG and an SVG of
+every picture, and CSV of every run and every curve. Nothing is tuned to agree; where it does not, the report says so
+and why. The report of all is docs/reproduction.md.
+";
+
+/// Items of the papers.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+#[command(mut_arg("out", |out| out.help("Folder for the results [default: paper, overwritten]")))]
+#[command(mut_arg("quiet", |quiet| quiet.help("Print errors only: no progress, no verdicts")))]
+pub(crate) struct Paper {
+    /// What to draw again
+    #[arg(value_name = "ITEM", required = true, value_parser = items())]
+    items: Vec<String>,
+    #[command(flatten)]
+    out: Out,
+    #[command(flatten)]
+    quiet: Quiet,
+}
+
+fn items() -> PossibleValuesParser {
+    PossibleValuesParser::new(std::iter::once(ALL).chain(ITEMS.iter().map(|item| item.id)))
+}
+
+impl Paper {
+    /// In the order of the papers, each once.
+    fn asked(&self) -> impl Iterator<Item = &'static Item> {
+        let is_asked = |id: &str| self.items.iter().any(|asked| asked == ALL || asked == id);
+        ITEMS.iter().filter(move |item| is_asked(item.id))
+    }
+}
+
+/// Whether a file of this name may be one of ours.
+pub(crate) fn leaves(name: &str) -> bool {
+    let is_item = |stem: &str| {
+        ITEMS.iter().any(|item| {
+            stem.strip_prefix(item.id).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+        })
+    };
+    name == REPORT
+        || name == VERDICTS
+        || [".png", ".svg", ".csv"].iter().any(|ending| name.strip_suffix(ending).is_some_and(is_item))
+}
+
+#[expect(clippy::disallowed_methods, reason = "progress tells how long this computer took")]
+pub(crate) fn redraw(asked: &Paper) -> Result<(), Failure> {
+    let folder = asked.out.folder(|| Folder::ours("", "paper"))?;
+    let (flights, mut done, begin) = (Flights::default(), Vec::new(), Instant::now());
+    for item in asked.asked() {
+        let start = Instant::now();
+        let outcome = item.regenerate(&flights)?;
+        write(&folder, &outcome)?;
+        asked.quiet.progress(&format!("{}: {:.1} s", item.id, start.elapsed().as_secs_f64()));
+        done.push((*item, outcome));
+        // After each, so that the report is never about older numbers.
+        folder.write_each(&[
+            (REPORT.to_owned(), report(&done).as_bytes()),
+            (VERDICTS.to_owned(), table(&done).csv().as_bytes()),
+        ])?;
+    }
+    asked.quiet.progress(&format!("all: {:.1} s", begin.elapsed().as_secs_f64()));
+    asked.quiet.report(|| done.iter().map(verdicts).collect::<String>() + &says(&folder))
+}
+
+/// Pictures and numbers of one item.
+fn write(folder: &Folder, outcome: &Outcome) -> Result<(), Failure> {
+    let mut files: Vec<(String, &[u8])> = Vec::new();
+    for (name, picture) in &outcome.pictures {
+        files.push((format!("{name}.png"), &picture.png));
+        files.push((format!("{name}.svg"), picture.svg.as_bytes()));
+    }
+    let tables = outcome.tables.iter().filter(|table| !table.is_shown());
+    let tables: Vec<(String, String)> =
+        tables.map(|table| (format!("{}.csv", table.name), table.csv())).collect();
+    files.extend(tables.iter().map(|(name, csv)| (name.clone(), csv.as_bytes())));
+    folder.write_each(&files)
+}
+
+fn says(folder: &Folder) -> String {
+    format!("files  {}\n", folder.path().join(REPORT).display())
+}
+
+/// An item in one line, and a line for everything that differs.
+fn verdicts((item, outcome): &(Item, Outcome)) -> String {
+    let differ = outcome.rows.iter().filter(|row| row.verdict == Verdict::Differs);
+    let count = |verdict| outcome.rows.iter().filter(|row| row.verdict == verdict).count();
+    let (agree, against) = (count(Verdict::Agrees), count(Verdict::Differs));
+    let first = format!("{}: {agree} of {} claims agree\n", item.id, agree + against);
+    differ.fold(first, |text, row| {
+        let (what, published, ours) = (&row.what, &row.published, &row.ours);
+        text + &format!("  differs: {what}: published {published}, ours {ours}\n")
+    })
+}
+
+impl Quiet {
+    /// Says on stderr how far it is.
+    fn progress(&self, words: &str) {
+        if !self.is_quiet() {
+            // Nobody is left to tell when stderr is gone.
+            let _ = writeln!(std::io::stderr(), "{words}");
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! Three strategies against each other (Kim 2021, §7.2): 2 to 5 robots, 20 runs each, common random numbers.
+
+use crate::{
+    analyse::{Estimate, explore::ExploreSummary, saved_percent},
+    draw::figure::{Axes, Figure, Mark},
+    paper::{
+        Outcome, PaperError, Row, Table,
+        flights::{Asked, explorations, scenario},
+        outcome::shown,
+    },
+    run::explore,
+};
+
+/// From the one that holds positions to the one of the paper.
+pub(super) const STRATEGIES: [&str; 3] = ["cssg", "cssg-random", "srg"];
+const ROBOTS: [usize; 4] = [2, 3, 4, 5];
+const REPLICATES: u64 = 20;
+
+/// How rows are judged.
+pub(super) const JUDGED: &str = "Agrees: the interval meets the published range for every number of robots, and the mean over them \
+lies within. Intervals: bootstrap over the pairs of a replicate, which start from the same places.";
+
+/// What is counted.
+#[derive(Clone, Copy)]
+pub(super) struct Metric {
+    pub(super) name: &'static str,
+    of: fn(&ExploreSummary) -> f64,
+}
+
+pub(super) const ITERATIONS: Metric = Metric { name: "iterations", of: |run| run.iterations.into() };
+pub(super) const DISTANCE: Metric =
+    Metric { name: "distance per robot", of: ExploreSummary::distance_mean_m };
+
+const HOLDS: Metric =
+    Metric { name: "rounds held", of: |run| run.holds.iter().map(|holds| f64::from(*holds)).sum() };
+const OVERLAP: Metric = Metric { name: "overlap", of: |run| 100.0 * run.overlap };
+
+/// What one strategy was published to save over another one (%).
+pub(super) struct Claim {
+    /// Places in [`STRATEGIES`].
+    pub(super) pair: [usize; 2],
+    pub(super) metric: Metric,
+    /// The least and the most; `None` where nothing was published.
+    pub(super) range: Option<[f64; 2]>,
+}
+
+/// All runs on one map.
+pub(super) struct Comparison {
+    map: &'static str,
+    /// By strategy, then by number of robots, then by replicate.
+    runs: Vec<Vec<ExploreSummary>>,
+}
+
+impl Comparison {
+    pub(super) fn fly(map: &'static str) -> Result<Self, PaperError> {
+        let vary = [
+            format!("explore.strategy={}", STRATEGIES.map(|strategy| format!("\"{strategy}\"")).join(",")),
+            format!("explore.robots={}", ROBOTS.map(|robots| robots.to_string()).join(",")),
+        ];
+        let asked = Asked { source: scenario(map), sets: &[], vary: &vary, replicates: REPLICATES };
+        let runs = explorations(asked, |site, run| Ok(explore(site, run.seed, &mut ())?.0))?;
+        Ok(Self { map, runs })
+    }
+
+    fn sample(&self, strategy: usize, robots: usize, metric: Metric) -> Vec<f64> {
+        let runs = self.runs.get(strategy * ROBOTS.len() + robots).map_or(&[][..], Vec::as_slice);
+        runs.iter().map(metric.of).collect()
+    }
+
+    /// Rows, picture and numbers.
+    pub(super) fn outcome(&self, id: &str, title: &str, claims: &[Claim]) -> Result<Outcome, PaperError> {
+        let mut outcome = Outcome {
+            setup: format!(
+                "Scenario `{}`, 2 to 5 robots, {REPLICATES} runs of each of three strategies; the runs of a replicate \
+                 start from the same places.",
+                self.map
+            ),
+            rows: claims.iter().map(|claim| self.row(claim)).collect(),
+            ..Outcome::default()
+        };
+        let mut table = Table::shown(&[
+            "strategy",
+            "robots",
+            "iterations",
+            "distance per robot (m)",
+            "rounds held, all robots",
+            "seen by more than one robot (%)",
+        ]);
+        for (s, strategy) in STRATEGIES.iter().enumerate() {
+            for (n, robots) in ROBOTS.iter().enumerate() {
+                let of = |metric, digits| shown(&self.sample(s, n, metric), digits, "");
+                let cells = [of(ITERATIONS, 1), of(DISTANCE, 1), of(HOLDS, 1), of(OVERLAP, 1)];
+                table
+                    .rows
+                    .push([(*strategy).to_owned(), robots.to_string()].into_iter().chain(cells).collect());
+            }
+        }
+        let mut single = Table::new(
+            id,
+            &["strategy", "robots", "replicate", "iterations", "distance_mean_m", "holds", "overlap_percent"],
+        );
+        for (variant, runs) in self.runs.iter().enumerate() {
+            let (strategy, robots) = (STRATEGIES[variant / ROBOTS.len() % 3], ROBOTS[variant % ROBOTS.len()]);
+            for (replicate, run) in runs.iter().enumerate() {
+                let words = [strategy.to_owned(), robots.to_string(), replicate.to_string()];
+                let numbers =
+                    [ITERATIONS, DISTANCE, HOLDS, OVERLAP].map(|metric| format!("{:.3}", (metric.of)(run)));
+                single.rows.push(words.into_iter().chain(numbers).collect());
+            }
+        }
+        outcome.tables = vec![table, single];
+        outcome.draw(id, &self.figure(title))?;
+        Ok(outcome)
+    }
+
+    /// What one strategy saves over another one with 2, 3, 4 and 5 robots, each with its interval (%).
+    fn saved(&self, [a, b]: [usize; 2], metric: Metric) -> Vec<[f64; 3]> {
+        let of = |n| saved_percent(&self.sample(a, n, metric), &self.sample(b, n, metric));
+        (0..ROBOTS.len()).map(of).collect()
+    }
+
+    /// Ours beside the published range.
+    fn row(&self, claim: &Claim) -> Row {
+        let ([a, b], saved) = (claim.pair, self.saved(claim.pair, claim.metric));
+        let cells = ROBOTS.iter().zip(&saved);
+        let cells =
+            cells.map(|(robots, [saved, low, high])| format!("{robots}: {saved:.1} ({low:.1} … {high:.1})"));
+        let ours = cells.collect::<Vec<_>>().join(", ");
+        let what = format!("{} saves over {}: {} (%)", STRATEGIES[a], STRATEGIES[b], claim.metric.name);
+        let Some([least, most]) = claim.range else { return Row::fact(&what, ours) };
+        let mean = saved.iter().map(|[saved, ..]| saved).sum::<f64>() / saved.len() as f64;
+        let within = saved.iter().filter(|[saved, ..]| (least..=most).contains(saved)).count();
+        let meets = saved.iter().all(|[_, low, high]| *low <= most && *high >= least);
+        let ours = format!("{ours}; mean {mean:.1}, {within} of {} within", saved.len());
+        Row::claim(&what, &format!("{least} … {most}"), ours, meets && (least..=most).contains(&mean))
+    }
+
+    /// Whether a saving is larger with more robots, as published: by the slope over their number.
+    pub(super) fn grows(&self, pair: [usize; 2], metric: Metric) -> Row {
+        let saved = self.saved(pair, metric);
+        let middle = (ROBOTS.iter().sum::<usize>() as f64) / ROBOTS.len() as f64;
+        let weighed =
+            ROBOTS.iter().zip(&saved).map(|(robots, [saved, ..])| (*robots as f64 - middle) * saved);
+        let squares = ROBOTS.iter().map(|robots| (*robots as f64 - middle) * (*robots as f64 - middle));
+        let slope = weighed.sum::<f64>() / squares.sum::<f64>();
+        Row::claim(
+            &format!(
+                "{} saves over {}: {}, with more robots",
+                STRATEGIES[pair[0]], STRATEGIES[pair[1]], metric.name
+            ),
+            "grows",
+            format!("{slope:+.1} points per robot"),
+            slope > 0.0,
+        )
+    }
+
+    fn figure(&self, title: &str) -> Figure {
+        let axes = |metric: Metric, y: &str| {
+            let line = |strategy: usize| Mark::Estimates {
+                name: STRATEGIES[strategy].to_owned(),
+                colour: strategy,
+                points: (0..ROBOTS.len())
+                    .filter_map(|n| {
+                        // Side by side, so that the intervals show.
+                        let x = (n + 1) as f64 + 0.12 * (strategy as f64 - 1.0);
+                        Some((x, Estimate::of(&self.sample(strategy, n, metric))?))
+                    })
+                    .collect(),
+            };
+            Axes {
+                x: "robots".to_owned(),
+                y: y.to_owned(),
+                words: ROBOTS.iter().map(ToString::to_string).collect(),
+                height: 210.0,
+                marks: (0..STRATEGIES.len()).map(line).collect(),
+                ..Axes::default()
+            }
+        };
+        let axes = vec![axes(ITERATIONS, "iterations"), axes(DISTANCE, "distance per robot (m)")];
+        Figure { title: title.to_owned(), axes }
+    }
+}

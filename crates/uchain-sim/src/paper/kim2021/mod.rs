@@ -1,0 +1,12 @@
+//! Kim 2021: a team that explores.
+
+mod comparison;
+mod fig10;
+mod fig11;
+mod fig9;
+mod table1;
+
+pub(super) use fig9::FIG9;
+pub(super) use fig10::FIG10;
+pub(super) use fig11::FIG11;
+pub(super) use table1::TABLE1;

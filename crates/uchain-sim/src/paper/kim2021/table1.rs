@@ -1,0 +1,118 @@
+//! Kim 2021, Table 1: two quadrotors in the laboratory.
+
+use crate::{
+    analyse::explore::{ExploreHistory, ExploreSummary, Survey},
+    config::Site,
+    draw::{
+        explore_picture,
+        figure::{Axes, Figure, Mark, Stroke},
+    },
+    paper::{Flights, Item, Outcome, PaperError, Row, SEED, Table, flights::scenario},
+    run::explore,
+    sweep::DesignError,
+};
+
+pub(in crate::paper) const TABLE1: Item = Item {
+    id: "table1",
+    title: "two quadrotors in the laboratory (Kim 2021, Table 1, Fig. 13, 14 and 17)",
+    run: regenerate,
+};
+
+/// Near enough (1): where walls stood is not printed.
+const NEAR: f64 = 0.1;
+
+/// One run, with what its pictures need.
+struct Flown {
+    site: Site,
+    summary: ExploreSummary,
+    survey: Survey,
+    history: ExploreHistory,
+}
+
+fn fly(sets: &[String]) -> Result<Flown, PaperError> {
+    let site = Site::read(&scenario("lab"), sets).map_err(DesignError::from)?;
+    let mut history = ExploreHistory::default();
+    let (summary, survey) = explore(&site, SEED, &mut history)?;
+    Ok(Flown { site, summary, survey, history })
+}
+
+fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
+    let flown = fly(&[])?;
+    let point = fly(&["explore.vehicle=\"point-mass\"".to_owned()])?.summary;
+    let summary = &flown.summary;
+    let is_near = |ours: f64, published: f64| (ours / published - 1.0).abs() <= NEAR;
+    let mut table = Table::new("table1", &["quantity", "robot", "published", "ours"]);
+    let mut rows = Vec::new();
+    let mut compare = |what: &str, robot: &str, published: f64, ours: f64, digits: usize| {
+        let (published_text, ours_text) = (format!("{published:.digits$}"), format!("{ours:.digits$}"));
+        table.rows.push(vec![what.to_owned(), robot.to_owned(), published_text.clone(), ours_text.clone()]);
+        let what = if robot.is_empty() { what.to_owned() } else { format!("{what}, quadrotor {robot}") };
+        rows.push(Row::claim(&what, &published_text, ours_text, is_near(ours, published)));
+    };
+    // A node is visited by each move, and at the start.
+    for (robot, (moves, published)) in ["1", "2"].into_iter().zip(summary.moves.iter().zip([21.0, 21.0])) {
+        compare("nodes visited", robot, published, f64::from(moves + 1), 0);
+    }
+    for (robot, (metres, published)) in
+        ["1", "2"].into_iter().zip(summary.distance_m.iter().zip([10.454, 9.936]))
+    {
+        compare("distance (m)", robot, published, *metres, 3);
+    }
+    compare("exploration time (s)", "", 101.66, summary.sim_s, 2);
+    compare("time on other levels (s)", "", 25.10, summary.mfl_s, 2);
+    let nodes: Vec<String> = summary.nodes.iter().map(ToString::to_string).collect();
+    rows.push(Row::fact("nodes of the graph, by quadrotor", nodes.join(" and ")));
+    rows.push(Row::fact(
+        "exploration time (s) of point masses on the same rounds",
+        format!("{:.2} ({} rounds; quadrotors {})", point.sim_s, point.iterations, summary.iterations),
+    ));
+    let mut outcome = Outcome {
+        setup: format!(
+            "Scenario `lab`: 2 m x 2 m, three rooms and halls, R_s = 0.5 m, two quadrotors of 38 g, starts as published. \
+             One run: nothing in it is random. Within {:.0} % agrees. A node is visited by each move, homing included, and \
+             at the start.",
+            100.0 * NEAR
+        ),
+        rows,
+        notes: vec![
+            "Where walls stood is not printed: ours were drawn once after the text, and on them the two robots never \
+             meet, so that no level is changed (published at about 27 to 35 s and 82 to 100 s, Fig. 17). Halls and rooms \
+             of ours take as many moves, but shorter ones."
+                .to_owned(),
+            "Published are 4.8 s per node, here 3 s a round. Most of a round is the quadrotor's settling at its node, to 2 cm \
+             and 5 cm/s: point masses need a third of the time. How long the published quadrotors stayed is not printed."
+                .to_owned(),
+        ],
+        tables: vec![table],
+        ..Outcome::default()
+    };
+    let paths = explore_picture(&flown.site, &flown.history, &flown.survey, summary)?;
+    outcome.pictures.push(("table1-paths".to_owned(), paths));
+    outcome.draw("table1-heights", &heights(&flown.history))?;
+    Ok(outcome)
+}
+
+/// After Fig. 17.
+fn heights(history: &ExploreHistory) -> Figure {
+    let line = |robot: usize, stroke| Mark::Line {
+        name: format!("quadrotor {}", robot + 1),
+        colour: robot,
+        stroke,
+        points: history
+            .states
+            .moments
+            .iter()
+            .filter_map(|moment| Some((moment.time_s, f64::from(moment.at_m.get(robot)?[2]))))
+            .collect(),
+    };
+    Figure {
+        title: "Heights of two quadrotors (Kim 2021, Fig. 17)".to_owned(),
+        axes: vec![Axes {
+            x: "time (s)".to_owned(),
+            y: "z (m)".to_owned(),
+            height: 180.0,
+            marks: vec![line(0, Stroke::Solid), line(1, Stroke::Dashed)],
+            ..Axes::default()
+        }],
+    }
+}

@@ -1,0 +1,86 @@
+//! What the figures need of every decision, and how they draw it.
+
+use crate::{
+    config::Course,
+    draw::figure::{Mark, Stroke},
+    record::{Frame, LinkFrame, RecordError, Recorder},
+};
+
+/// On a ring, somebody deeper than this share of a round stands behind the base: nobody flies that far.
+const BEHIND: f64 = 0.75;
+
+/// One decision.
+#[derive(Debug, Clone)]
+pub(super) struct Sample {
+    pub(super) time_s: f64,
+    /// Of the links that are flown, the head's first.
+    pub(super) links: Vec<LinkFrame>,
+    /// Depth of every UAV (m).
+    pub(super) depths_m: Vec<f64>,
+    /// UAVs in the air.
+    pub(super) airborne: usize,
+}
+
+impl Sample {
+    /// True losses (dB).
+    pub(super) fn true_db(&self) -> impl Iterator<Item = f64> {
+        self.links.iter().map(|link| f64::from(link.true_db))
+    }
+}
+
+/// Largest minus smallest.
+pub(super) fn spread(values: impl Iterator<Item = f64>) -> f64 {
+    let (low, high) = values
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    high - low
+}
+
+/// Keeps every decision.
+pub(super) struct Watch<'a> {
+    course: &'a Course,
+    pub(super) samples: Vec<Sample>,
+}
+
+impl<'a> Watch<'a> {
+    pub(super) fn new(course: &'a Course) -> Self {
+        Self { course, samples: Vec::new() }
+    }
+}
+
+impl Recorder for Watch<'_> {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        if !frame.decision {
+            return Ok(());
+        }
+        let Some(tunnel) = &self.course.tunnel else { return Ok(()) };
+        let depth_m = |at| {
+            let depth_m = tunnel.depth_m(at);
+            let is_behind = tunnel.line().is_closed() && depth_m > BEHIND * tunnel.length_m();
+            if is_behind { depth_m - tunnel.length_m() } else { depth_m }
+        };
+        self.samples.push(Sample {
+            time_s: frame.decided_s(),
+            links: frame.links.clone(),
+            depths_m: frame.uavs.iter().map(|uav| depth_m(glam::Vec2::new(uav.x_m, uav.y_m))).collect(),
+            airborne: frame.uavs.iter().filter(|uav| uav.airborne).count(),
+        });
+        Ok(())
+    }
+}
+
+/// Losses over time as the authors draw them: true ones dashed, raw ones light, and filtered ones where they are what
+/// relays go by.
+pub(super) fn marks(samples: &[Sample], is_filtered: bool) -> Vec<Mark> {
+    let links = samples.iter().map(|sample| sample.links.len()).max().unwrap_or(0);
+    let line = |link: usize, kind: &str, stroke, of: fn(&LinkFrame) -> Option<f32>| {
+        let point = |sample: &Sample| Some((sample.time_s, f64::from(of(sample.links.get(link)?)?)));
+        let points = samples.iter().filter_map(point).collect();
+        Mark::Line { name: format!("link {link} {kind}"), colour: link, stroke, points }
+    };
+    let raw = (0..links).map(|link| line(link, "raw", Stroke::Light, |link| link.raw_db));
+    let filtered = (0..links)
+        .filter(|_| is_filtered)
+        .map(|link| line(link, "filtered", Stroke::Solid, |link| link.filtered_db));
+    let truly = (0..links).map(|link| line(link, "true", Stroke::Dashed, |link| Some(link.true_db)));
+    raw.chain(filtered).chain(truly).collect()
+}

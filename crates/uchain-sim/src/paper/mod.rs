@@ -1,0 +1,92 @@
+//! The figures and tables of Laclau 2021 and Kim 2021 that a simulation can give, published values beside ours. No
+//! parameter is tuned to make a verdict agree; a disagreement is a result.
+//!
+//! One file per item: scenario, design, metric, picture, verdict. [`ITEMS`] lists them, [`report`] puts them into words.
+
+mod ablations;
+mod flights;
+mod formal;
+mod kim2021;
+mod laclau2021;
+mod outcome;
+mod report;
+
+use crate::{draw::DrawError, run::RunError, sweep::DesignError};
+
+pub use flights::Flights;
+pub use outcome::{Outcome, Row, Table, Verdict};
+pub use report::{report, verdicts};
+
+/// Root seed of all runs.
+const SEED: u64 = 1;
+
+/// Why an item could not be regenerated.
+#[derive(Debug, thiserror::Error)]
+pub enum PaperError {
+    /// Its scenario or design cannot be flown.
+    #[error(transparent)]
+    Design(#[from] DesignError),
+    /// A run did not come to its end.
+    #[error("{scenario}, variant {variant}, replicate {replicate}: {reason}")]
+    Run {
+        /// What was flown.
+        scenario: String,
+        /// Its variant.
+        variant: u64,
+        /// Its replicate.
+        replicate: u64,
+        /// In words.
+        reason: String,
+    },
+    /// A single run did not come to its end.
+    #[error(transparent)]
+    Single(#[from] RunError),
+    /// No picture.
+    #[error(transparent)]
+    Draw(#[from] DrawError),
+}
+
+/// A figure or table of a paper.
+#[derive(Debug, Clone, Copy)]
+pub struct Item {
+    /// What it is called by on the command line.
+    pub id: &'static str,
+    /// What it shows, and where it was published.
+    pub title: &'static str,
+    run: fn(&Flights) -> Result<Outcome, PaperError>,
+}
+
+impl Item {
+    /// Flies it all again. Items that show the same runs share them through `flights`.
+    ///
+    /// # Errors
+    /// [`PaperError`].
+    pub fn regenerate(&self, flights: &Flights) -> Result<Outcome, PaperError> {
+        (self.run)(flights)
+    }
+
+    /// The item of this name.
+    ///
+    /// ```
+    /// assert!(uchain_sim::paper::Item::find("fig4e").is_some());
+    /// assert!(uchain_sim::paper::Item::find("fig99").is_none());
+    /// ```
+    pub fn find(id: &str) -> Option<Self> {
+        ITEMS.iter().find(|item| item.id == id).copied()
+    }
+}
+
+/// All items, in the order of the papers.
+pub const ITEMS: &[Item] = &[
+    laclau2021::FIG4ABC,
+    laclau2021::FIG4D,
+    laclau2021::FIG4E,
+    laclau2021::FIG4F,
+    laclau2021::FIG6,
+    kim2021::FIG9,
+    kim2021::FIG10,
+    kim2021::FIG11,
+    kim2021::TABLE1,
+    formal::FORMAL,
+    ablations::ABLATIONS,
+];
