@@ -18,9 +18,6 @@ mod paper;
 /// `uchain plan`.
 #[path = "cli/plan.rs"]
 mod plan;
-/// Presets, from the list to the flight.
-#[path = "cli/preset.rs"]
-mod preset;
 /// Recordings: `inspect`, `verify`, `diff`, and runs that do not end.
 #[path = "cli/record.rs"]
 mod record;

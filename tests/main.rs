@@ -2,26 +2,18 @@
 
 /// A tick asks for no memory.
 mod allocation;
-/// Every promise of a law holds in the world it flies in.
-mod centering;
+/// A chain keeps its promises, law by law and tunnel by tunnel.
+mod chain;
 /// Same seed, same bits.
 mod determinism;
 /// A team explores rooms by scans and messages alone.
 mod explore;
 /// Explorations end at home, with everything seen and nothing touched.
 mod exploring;
-/// What is left out for speed changes no bit.
-mod fast;
-/// Whatever goes wrong with the radio, a run ends in words.
-mod faults;
-/// Claims of the laws for whatever they may meet.
-mod laws;
 /// The papers' figures and tables are what the report says.
 mod paper;
 /// What is recorded can be read again, and what is damaged cannot.
 mod record;
-/// The shipped scenarios do what their descriptions say.
-mod scenarios;
 /// Many runs draw from streams of their own.
 mod sweep;
 

@@ -1,0 +1,12 @@
+//! A chain: its laws, its sensors, its tunnels.
+
+/// Every promise of a law holds in the world it flies in.
+mod centering;
+/// What is left out for speed changes no bit.
+mod fast;
+/// Whatever goes wrong with the radio, a run ends in words.
+mod faults;
+/// Claims of the laws for whatever they may meet.
+mod laws;
+/// The shipped scenarios do what their descriptions say.
+mod scenarios;
