@@ -202,6 +202,17 @@ pub(super) fn caption(scene: &mut Scene, (x, y): (f64, f64), content: &str, colo
     });
 }
 
+/// The range of some values, with room around them; one value has room as well, and none is 0 to 1.
+pub(super) fn widened(values: impl Iterator<Item = f64>, share: f64) -> (f64, f64) {
+    let finite = values.filter(|value| value.is_finite());
+    let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+    if low > high {
+        return (0.0, 1.0);
+    }
+    let room = if high > low { share * (high - low) } else { (0.05 * high.abs()).max(0.5) };
+    (low - room, high + room)
+}
+
 /// A line of a legend: its text; the mark is drawn left of it by the caller, around the point returned.
 pub(super) fn legend(scene: &mut Scene, panel: &Panel, row: usize, content: &str) -> (f64, f64) {
     let (x, y) = (panel.right() + 10.0, panel.top() + 7.0 + row as f64 * ROW);

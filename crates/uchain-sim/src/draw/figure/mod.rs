@@ -6,7 +6,7 @@ use kuva::render::render::Scene;
 
 use super::{
     DrawError, Picture,
-    panel::{FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE, text, unclip},
+    panel::{FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE, text, unclip, widened},
 };
 use crate::analyse::Estimate;
 
@@ -146,14 +146,4 @@ fn ranges(marks: &[Mark]) -> ((f64, f64), (f64, f64)) {
     let points = || marks.iter().flat_map(Mark::points);
     let x = widened(points().filter_map(|(x, _)| x), 0.02);
     (x, widened(points().map(|(_, y)| y), 0.07))
-}
-
-fn widened(values: impl Iterator<Item = f64>, share: f64) -> (f64, f64) {
-    let finite = values.filter(|value| value.is_finite());
-    let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
-    if low > high {
-        return (0.0, 1.0);
-    }
-    let room = if high > low { share * (high - low) } else { (0.05 * high.abs()).max(0.5) };
-    (low - room, high + room)
 }

@@ -4,7 +4,7 @@ use kuva::render::render::Scene;
 
 use super::{
     DrawError, Picture, colour,
-    panel::{FIGURE_WIDTH, Panel, TEXT_LARGE, dot, legend, rule, text},
+    panel::{FIGURE_WIDTH, Panel, TEXT_LARGE, dot, legend, rule, text, widened},
 };
 use crate::analyse::Estimate;
 
@@ -13,7 +13,7 @@ pub const LINES_MAX: usize = 8;
 /// Height of the box.
 const HEIGHT: f64 = 250.0;
 /// Longest name in the legend (characters).
-const NAME_MAX: usize = 14;
+const NAME_MAX: usize = 17;
 
 /// What stands along the horizontal axis of a picture, and what is drawn over it.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,16 +68,6 @@ pub fn chart(chart: &Chart<'_>) -> Result<Picture, DrawError> {
         }
     }
     Picture::of(&scene)
-}
-
-/// The range of some values, with room around them; one value has room as well.
-fn widened(values: impl Iterator<Item = f64>, share: f64) -> (f64, f64) {
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
-    if low > high {
-        return (0.0, 1.0);
-    }
-    let room = if high > low { share * (high - low) } else { (0.05 * high.abs()).max(0.5) };
-    (low - room, high + room)
 }
 
 fn short(name: &str) -> String {
