@@ -64,6 +64,14 @@ impl Panel {
         self
     }
 
+    /// The same with whole numbers on the horizontal axis.
+    #[cfg(feature = "sweep")]
+    pub(super) fn with_whole_x(mut self) -> Self {
+        self.layout = self.layout.with_x_tick_step(1.0);
+        self.computed = ComputedLayout::from_layout(&self.layout);
+        self
+    }
+
     /// The same with words instead of numbers on the horizontal axis, at 1, 2, 3 and so on.
     #[cfg(feature = "sweep")]
     pub(super) fn with_words(mut self, words: Vec<String>) -> Self {
@@ -213,10 +221,15 @@ pub(super) fn widened(values: impl Iterator<Item = f64>, share: f64) -> (f64, f6
     (low - room, high + room)
 }
 
-/// A line of a legend: its text; the mark is drawn left of it by the caller, around the point returned.
+/// Longest name in a legend (letters).
+const NAME_MAX: usize = 17;
+
+/// A line of a legend: its text, cut where there is no room; the mark is drawn left of it by the caller, around the point returned.
 pub(super) fn legend(scene: &mut Scene, panel: &Panel, row: usize, content: &str) -> (f64, f64) {
-    let (x, y) = (panel.right() + 10.0, panel.top() + 7.0 + row as f64 * ROW);
-    text(scene, (x + 22.0, y + 3.5), TEXT_SMALL, content);
+    let (x, y) = (panel.right() + 6.0, panel.top() + 7.0 + row as f64 * ROW);
+    let fits = content.chars().count() <= NAME_MAX;
+    let cut = || content.chars().take(NAME_MAX - 1).chain(['…']).collect();
+    text(scene, (x + 21.0, y + 3.5), TEXT_SMALL, &if fits { content.to_owned() } else { cut() });
     (x + 8.0, y)
 }
 

@@ -103,7 +103,11 @@ pub fn figure(figure: &Figure) -> Result<Picture, DrawError> {
             x_range = (0.4, axes.words.len() as f64 + 0.6);
         }
         let panel = Panel::new(top, axes.height.max(60.0), x_range, y_range);
-        let panel = if axes.words.is_empty() { panel } else { panel.with_words(axes.words.clone()) };
+        let panel = match &axes.words {
+            words if !words.is_empty() => panel.with_words(words.clone()),
+            _ if axes.counts() => panel.with_whole_x(),
+            _ => panel,
+        };
         top = panel.bottom() + GAP;
         panels.push(panel);
     }
@@ -120,6 +124,16 @@ pub fn figure(figure: &Figure) -> Result<Picture, DrawError> {
     let left = panels.first().map_or(0.0, Panel::left);
     text(&mut scene, (left, 20.0), TEXT_LARGE, &figure.title);
     Picture::of(&scene)
+}
+
+impl Axes {
+    /// Few whole numbers are counts; nothing lies between them.
+    fn counts(&self) -> bool {
+        const MOST: f64 = 12.0;
+        let xs = || self.marks.iter().flat_map(Mark::points).filter_map(|(x, _)| x);
+        let (low, high) = xs().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        xs().all(|x| x.fract() == 0.0) && high - low <= MOST
+    }
 }
 
 impl Figure {
