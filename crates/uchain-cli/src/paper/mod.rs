@@ -2,7 +2,10 @@
 
 use std::{io::Write as _, time::Instant};
 
-use clap::{Args, builder::PossibleValuesParser};
+use clap::{
+    Args,
+    builder::{PossibleValue, PossibleValuesParser},
+};
 use uchain_sim::paper::{Flights, ITEMS, Item, Outcome, Verdict, report, verdicts as table};
 
 use crate::{
@@ -45,7 +48,9 @@ pub(crate) struct Paper {
 }
 
 fn items() -> PossibleValuesParser {
-    PossibleValuesParser::new(std::iter::once(ALL).chain(ITEMS.iter().map(|item| item.id)))
+    let all = PossibleValue::new(ALL).help("everything");
+    let items = ITEMS.iter().map(|item| PossibleValue::new(item.id).help(item.title));
+    PossibleValuesParser::new(std::iter::once(all).chain(items))
 }
 
 impl Paper {
