@@ -188,7 +188,7 @@ fn a_whole_file_of_impossible_numbers_is_summed_up_drawn_and_refuted() {
         let mut recording = Recording::read(file.as_slice(), "memory").unwrap();
         let mut history = History::default();
         let summary = recording.summary(&course, &mut history).unwrap();
-        draw::run_picture(&course, &history, &summary).unwrap();
+        draw::run_png(&course, &history, &summary).unwrap();
         assert_eq!(history.frames.len(), 240);
         let verdict = replay::verify(&mut Recording::read(file.as_slice(), "memory").unwrap()).unwrap();
         assert_eq!(verdict.first.unwrap().tick, 1);

@@ -67,11 +67,8 @@ fn a_recorded_exploration_has_the_summary_and_the_picture_of_the_one_that_was_fl
         let mut history = ExploreHistory::default();
         let (summary, survey) = recording.summary(&again, &mut history).unwrap();
         assert_eq!(summary, flown.0);
-        let picture = draw::explore_picture(&again, &history, &survey, &summary).unwrap();
-        assert!(
-            picture == draw::explore_picture(&site, &both.1, &flown.1, &flown.0).unwrap(),
-            "another picture"
-        );
+        let picture = draw::explore_png(&again, &history, &survey, &summary).unwrap();
+        assert!(picture == draw::explore_png(&site, &both.1, &flown.1, &flown.0).unwrap(), "another picture");
     }
 }
 

@@ -30,7 +30,7 @@ pub(crate) fn explore(flight: &Flight<'_>, site: &Site) -> Result<String, Failur
     let flown = timed(site, *seed, &mut ((&mut history, &mut watch), &mut tape));
     watch.end();
     let ((summary, survey), wall_s) = recording::end(flown, tape)?;
-    let picture = draw::explore_picture(site, &history, &survey, &summary)?.png;
+    let picture = draw::explore_png(site, &history, &survey, &summary)?;
     let states = draw::states_png(site, &history, &summary)?;
     let map = RosMap::explored(&site.map, site.ground(), &history.nodes, site.scenario.params.r_s_m);
     let report = Report::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));

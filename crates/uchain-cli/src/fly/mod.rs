@@ -66,7 +66,7 @@ fn chain(flight: &Flight<'_>, course: &Course) -> Result<String, Failure> {
     let mut tape = tape.transpose()?;
     let flown = timed(course, *seed, &mut (&mut watch, &mut tape));
     let (summary, wall_s) = recording::end(flown, tape)?;
-    let picture = draw::run_picture(course, &watch.into_history(), &summary)?.png;
+    let picture = draw::run_png(course, &watch.into_history(), &summary)?;
     let report = Report::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));
     let json = report.json()?;
     if interrupted() {

@@ -6,7 +6,7 @@ use clap::{
     Args,
     builder::{PossibleValue, PossibleValuesParser},
 };
-use uchain_sim::paper::{Flights, ITEMS, Item, Outcome, Verdict, report, verdicts as table};
+use uchain_sim::paper::{Flights, ITEMS, Item, Outcome, Verdict, report, verdict_table};
 
 use crate::{
     args::{Out, Quiet},
@@ -86,7 +86,7 @@ pub(crate) fn redraw(asked: &Paper) -> Result<(), Failure> {
         // After each, so that the report is never about older numbers.
         folder.write_each(&[
             (REPORT.to_owned(), report(&done).as_bytes()),
-            (VERDICTS.to_owned(), table(&done).csv().as_bytes()),
+            (VERDICTS.to_owned(), verdict_table(&done).csv().as_bytes()),
         ])?;
     }
     asked.quiet.progress(&format!("all: {:.1} s", begin.elapsed().as_secs_f64()));

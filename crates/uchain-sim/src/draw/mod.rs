@@ -19,7 +19,7 @@ use crate::{
     config::Course,
     record::History,
 };
-pub use explore::{explore_picture, states_png};
+pub use explore::{explore_picture, explore_png, states_png};
 use losses::Losses;
 use panel::{FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE};
 use tunnel::Tunnel;
@@ -52,19 +52,34 @@ pub struct Picture {
 
 impl Picture {
     fn of(scene: &Scene) -> Result<Self, DrawError> {
-        let png = RasterBackend { scale: SCALE }.render_scene(scene).map_err(DrawError::Raster)?;
-        Ok(Self { png, svg: SvgBackend::new().render_scene(scene) })
+        Ok(Self { png: raster(scene)?, svg: SvgBackend::new().render_scene(scene) })
     }
 }
 
-/// One run on one page. Above: the loss of every link over time (solid = true,
+fn raster(scene: &Scene) -> Result<Vec<u8>, DrawError> {
+    RasterBackend { scale: SCALE }.render_scene(scene).map_err(DrawError::Raster)
+}
+
+/// One run on one page, as a PNG 1400 px wide. Above: the loss of every link over time (solid = true,
 /// thin = as the filter sees it), the threshold `s_min`, the launches (after Laclau 2021, Fig. 4D).
 /// Below: the map at equal aspect, cropped to where the UAVs flew, with their tracks; its axes are in
 /// the map file's own frame.
 ///
 /// # Errors
 /// [`DrawError::Raster`].
+pub fn run_png(course: &Course, history: &History, summary: &Summary) -> Result<Vec<u8>, DrawError> {
+    raster(&run_scene(course, history, summary))
+}
+
+/// The same, as a drawing too.
+///
+/// # Errors
+/// [`DrawError::Raster`].
 pub fn run_picture(course: &Course, history: &History, summary: &Summary) -> Result<Picture, DrawError> {
+    Picture::of(&run_scene(course, history, summary))
+}
+
+fn run_scene(course: &Course, history: &History, summary: &Summary) -> Scene {
     let losses = Losses::new(course, history, summary);
     // The seed of a sweep's run is a long number.
     let lines = wrapped(&headline(summary), LONGEST_HEADLINE);
@@ -79,7 +94,7 @@ pub fn run_picture(course: &Course, history: &History, summary: &Summary) -> Res
     }
     losses.draw(&mut scene, &losses_panel);
     tunnel.draw(&mut scene, &tunnel_panel);
-    Picture::of(&scene)
+    scene
 }
 
 /// A plan on one page, as a PNG 1400 px wide: relays needed, loss of the worst link of the best chain, and time,
@@ -96,7 +111,7 @@ pub fn plan_png(plan: &Plan, answer: &str) -> Result<Vec<u8>, DrawError> {
         panel::text(&mut scene, (sheet.left(), 36.0 + LINE * i as f64), TEXT_LABEL, line);
     }
     sheet.draw(&mut scene);
-    RasterBackend { scale: SCALE }.render_scene(&scene).map_err(DrawError::Raster)
+    raster(&scene)
 }
 
 /// Lines of text of so many letters at most.

@@ -79,7 +79,7 @@ fn size(png: &[u8]) -> (u32, u32) {
 fn a_run_is_one_page_1400_px_wide() {
     let course = course(&[]);
     let (history, summary) = flight(&course, 120);
-    let png = run_picture(&course, &history, &summary).unwrap().png;
+    let png = run_png(&course, &history, &summary).unwrap();
     let (width, height) = size(&png);
     assert_eq!(width, 1400);
     assert!((700..2000).contains(&height), "{height}");
@@ -93,9 +93,9 @@ fn nothing_flown_and_broken_numbers_still_give_a_page() {
         frame.uavs[3].x_m = f32::NAN;
         frame.links[0].true_db = f32::INFINITY;
     }
-    run_picture(&course, &history, &summary).unwrap();
+    run_png(&course, &history, &summary).unwrap();
     let nothing = Summary { launches_s: Vec::new(), links: Vec::new(), sim_s: 0.0, ..summary };
-    run_picture(&course, &History::default(), &nothing).unwrap();
+    run_png(&course, &History::default(), &nothing).unwrap();
 }
 
 #[test]

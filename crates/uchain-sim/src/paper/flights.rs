@@ -8,7 +8,7 @@ use crate::{
     config::{Course, Mission, Site, Source, builtin},
     draw::{DrawError, Picture, run_picture},
     record::History,
-    run::{RunError, run},
+    run::RunError,
     sweep::{Design, DesignText, Run, Sweep},
 };
 
@@ -57,10 +57,8 @@ pub(super) struct Shown {
 }
 
 impl Shown {
-    pub(super) fn fly(course: &Course, seed: u64) -> Result<Self, RunError> {
-        let mut history = History::default();
-        let summary = run(course, seed, &mut history)?;
-        Ok(Self { course: course.clone(), history, summary })
+    pub(super) fn new(course: &Course, history: History, summary: &Summary) -> Self {
+        Self { course: course.clone(), history, summary: summary.clone() }
     }
 
     pub(super) fn picture(&self) -> Result<Picture, DrawError> {

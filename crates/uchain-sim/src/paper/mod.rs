@@ -15,7 +15,7 @@ use crate::{draw::DrawError, run::RunError, sweep::DesignError};
 
 pub use flights::Flights;
 pub use outcome::{Outcome, Row, Table, Verdict};
-pub use report::{report, verdicts};
+pub use report::{report, verdict_table};
 
 /// Root seed of all runs.
 const SEED: u64 = 1;

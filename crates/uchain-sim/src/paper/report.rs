@@ -54,7 +54,7 @@ no downwash.
 ";
 
 /// Every row of these items as a table for programs.
-pub fn verdicts(items: &[(Item, Outcome)]) -> Table {
+pub fn verdict_table(items: &[(Item, Outcome)]) -> Table {
     let mut table = Table::new("verdicts", &["item", "what", "published", "ours", "agrees"]);
     for (item, outcome) in items {
         table.rows.extend(outcome.rows.iter().map(|row| {

@@ -52,7 +52,7 @@ pub(super) fn inspect(
     let json = serde_json::to_string_pretty(&inspected)? + "\n";
     let mut files = asked.file.display().to_string();
     if let Some(folder) = folder {
-        let picture = draw::explore_picture(&site, &history, &survey, &summary)?.png;
+        let picture = draw::explore_png(&site, &history, &survey, &summary)?;
         folder.write(&INSPECT, json.as_bytes(), &picture, &[])?;
         files = folder.says(&INSPECT);
     }

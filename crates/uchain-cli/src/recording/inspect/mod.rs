@@ -67,7 +67,7 @@ fn chain(asked: &Inspect, mut recording: Recording<impl Read>) -> Result<(), Fai
     let json = serde_json::to_string_pretty(&inspected)? + "\n";
     let mut files = asked.file.display().to_string();
     if let Some(folder) = folder {
-        let picture = draw::run_picture(&course, &watch.into_history(), &summary)?.png;
+        let picture = draw::run_png(&course, &watch.into_history(), &summary)?;
         folder.write(&INSPECT, json.as_bytes(), &picture, &[])?;
         files = folder.says(&INSPECT);
     }

@@ -2,12 +2,9 @@
 
 use std::f64::consts::PI;
 
-use kuva::{
-    RasterBackend,
-    render::{
-        color::Color,
-        render::{Primitive, Scene},
-    },
+use kuva::render::{
+    color::Color,
+    render::{Primitive, Scene},
 };
 
 use super::headline;
@@ -15,8 +12,9 @@ use crate::{
     analyse::explore::{ExploreHistory, ExploreSummary, Moment},
     config::Site,
     draw::{
-        DrawError, SCALE, colour,
+        DrawError, colour,
         panel::{self, FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE, legend, rule, unclip},
+        raster,
     },
 };
 
@@ -82,7 +80,7 @@ pub fn states_png(
         draw(&mut scene, &panel, moments, track);
         top = panel.bottom() + 48.0;
     }
-    RasterBackend { scale: SCALE }.render_scene(&scene).map_err(DrawError::Raster)
+    raster(&scene)
 }
 
 fn figures(summary: &ExploreSummary) -> String {

@@ -1,14 +1,14 @@
 //! The exploration of Laclau 2021, Fig. 4D to F: the head flies 10 m into the circuit, relays follow; three treatments
 //! of the signal, 30 runs each, with the same noise, by three readings of the paper.
 
-use super::watch::{Sample, Watch, spread};
+use super::watch::{Sample, Watched, spread, watch};
 use crate::{
     config::Course,
     paper::{
         PaperError,
         flights::{Asked, Shown, chains, scenario},
     },
-    run::{RunError, run},
+    run::RunError,
     sweep::Run,
 };
 
@@ -101,11 +101,9 @@ fn variant(sets: &[&str]) -> Result<Vec<Flight>, PaperError> {
 }
 
 fn fly(course: &Course, one: Run) -> Result<Flight, RunError> {
-    let mut watch = Watch::new(course);
-    let summary = run(course, one.seed, &mut watch)?;
-    let shown = if one.replicate == 0 { Some(Shown::fly(course, one.seed)?) } else { None };
+    let Watched { samples, summary, shown } = watch(course, one)?;
     Ok(Flight {
-        samples: watch.samples,
+        samples,
         shown,
         launches_s: summary.launches_s,
         relays_used: summary.relays_used,

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::watch::{Sample, Watch, marks, spread};
+use super::watch::{Sample, Watched, marks, spread, watch};
 use crate::{
     config::{Course, Spawn},
     draw::figure::{Axes, Figure},
@@ -11,7 +11,7 @@ use crate::{
         flights::{Asked, Shown, chains, written},
         outcome::{cell, shown},
     },
-    run::{RunError, run},
+    run::RunError,
     seed::{Seed, Source as Draws},
     sweep::Run,
 };
@@ -41,10 +41,10 @@ const CORNER_M: f64 = 3.1;
 /// Least distance between UAVs at the start (m): more than their diameter.
 const APART_M: f64 = 0.15;
 
-/// Of the corridors (m).
+/// Width of the corridors (m).
 const WIDTH_M: f64 = 0.78;
 
-/// Corridors 0.78 m wide, their base, and where along them the head is 6.25 m deep.
+/// Corridors, their base, and where along them the head is 6.25 m deep.
 const CORRIDORS: [(&str, &str); 3] = [
     ("straight", "centre_line_m = [[-1.0, 0.0], [8.0, 0.0]]"),
     ("corner", "centre_line_m = [[-1.0, 0.0], [3.1, 0.0], [3.1, -5.0]]"),
@@ -65,7 +65,7 @@ struct Levelling {
 fn scenario(name: &str, centre_line: &str) -> String {
     format!(
         "name = \"fig4abc-{name}\"\npreset = \"frontiers2021\"\nduration_s = 30.0\n\
-         [map.corridor]\n{centre_line}\nwidth_m = 0.78\n\
+         [map.corridor]\n{centre_line}\nwidth_m = {WIDTH_M}\n\
          [chain]\nuavs = {}\nbase_m = [0.0, 0.0]\nspawns_m = [[0.9, 0.0], [0.7, 0.0], [0.5, 0.0], [0.3, 0.0]]\n\
          [radio]\nalpha_free = 2.5\nalpha_wall = 4.0\n\
          [takeoff]\ns_min_db = -50.0\nafter_previous_s = 0.0\nrise_s = 0.0\nhover_s = 0.0\n\
@@ -96,7 +96,7 @@ fn scattered(course: &Course, seed: u64, heading: Heading) -> Course {
     };
     let are_apart = |depths_m: &Vec<f64>| depths_m.windows(2).all(|pair| pair[0] - pair[1] > APART_M);
     // Four of five draws are far enough apart.
-    let depths_m = (0..DRAWS).map(|_| drawn()).find(are_apart).unwrap_or_default();
+    let Some(depths_m) = (0..DRAWS).map(|_| drawn()).find(are_apart) else { return course };
     let place = |depth_m: f64| {
         let [behind, (at, along_rad), ahead] =
             [-WIDTH_M, 0.0, WIDTH_M].map(|aside_m: f64| -> (Vec2, f32) { tunnel.at(depth_m + aside_m) });
@@ -115,10 +115,7 @@ fn level(course: &Course, one: Run, heading: Heading) -> Result<Levelling, RunEr
     let course = scattered(course, one.seed, heading);
     let relays = course.spawns.iter().skip(1);
     let starts_m = relays.filter_map(|spawn| course.depth_m(spawn.at)).map(f64::from).collect();
-    let mut watch = Watch::new(&course);
-    let summary = run(&course, one.seed, &mut watch)?;
-    let shown = if one.replicate == 0 { Some(Shown::fly(&course, one.seed)?) } else { None };
-    let mut samples = watch.samples;
+    let Watched { mut samples, summary, shown } = watch(&course, one)?;
     samples.retain(|sample| sample.links.len() == RELAYS + 1);
     let is_level = |sample: &&Sample| sample.time_s >= FROM_S && spread(sample.true_db()) < LEVEL_DB;
     let converged_s = samples.iter().find(is_level).map(|sample| sample.time_s);
@@ -132,7 +129,7 @@ fn level(course: &Course, one: Run, heading: Heading) -> Result<Levelling, RunEr
 fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
     let mut outcome = Outcome {
         setup: format!(
-            "4 links over {HEAD_M} m: the head stays, {RELAYS} relays start at random places of a corridor 0.78 m wide, \
+            "4 links over {HEAD_M} m: the head stays, {RELAYS} relays start at random places of a corridor {WIDTH_M} m wide, \
              all in the air from the first second on. {REPLICATES} starts for each of three corridors, 30 s each. Preset \
              `frontiers2021`, radio exponents 2.5 and 4.0. Converged: the true losses of all links within \
              {LEVEL_DB} dB of each other, looked for from {FROM_S} s on."

@@ -1,6 +1,6 @@
 //! Laclau 2021, Fig. 6: the circuit as flown, with the firmware's laws.
 
-use super::watch::{Sample, Watch, marks, spread};
+use super::watch::{Sample, Watched, marks, spread, watch};
 use crate::{
     analyse::Estimate,
     config::Course,
@@ -10,7 +10,7 @@ use crate::{
         flights::{Asked, Shown, chains, scenario},
         outcome::{cell, shown},
     },
-    run::{RunError, run},
+    run::RunError,
     sweep::Run,
 };
 
@@ -96,11 +96,9 @@ impl Flown {
 }
 
 fn fly(course: &Course, one: Run) -> Result<Flown, RunError> {
-    let mut watch = Watch::new(course);
-    let summary = run(course, one.seed, &mut watch)?;
-    let shown = if one.replicate == 0 { Some(Shown::fly(course, one.seed)?) } else { None };
+    let Watched { samples, summary, shown } = watch(course, one)?;
     Ok(Flown {
-        samples: watch.samples,
+        samples,
         launches_s: summary.launches_s,
         spread_db: summary.spread_db.map(f64::from),
         relays_needed: summary.relays_needed,

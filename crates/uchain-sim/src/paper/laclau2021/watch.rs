@@ -1,9 +1,13 @@
 //! What the figures need of every decision, and how they draw it.
 
 use crate::{
+    analyse::Summary,
     config::Course,
     draw::figure::{Mark, Stroke},
-    record::{Frame, LinkFrame, RecordError, Recorder},
+    paper::flights::Shown,
+    record::{Frame, History, LinkFrame, RecordError, Recorder},
+    run::{RunError, run},
+    sweep::Run,
 };
 
 /// On a ring, somebody deeper than this share of a round stands behind the base: nobody flies that far.
@@ -35,16 +39,27 @@ pub(super) fn spread(values: impl Iterator<Item = f64>) -> f64 {
     high - low
 }
 
-/// Keeps every decision.
-pub(super) struct Watch<'a> {
-    course: &'a Course,
+/// A run, and what was seen of it.
+pub(super) struct Watched {
     pub(super) samples: Vec<Sample>,
+    pub(super) summary: Summary,
+    /// Of the first replicate.
+    pub(super) shown: Option<Shown>,
 }
 
-impl<'a> Watch<'a> {
-    pub(super) fn new(course: &'a Course) -> Self {
-        Self { course, samples: Vec::new() }
-    }
+/// Flies a run.
+pub(super) fn watch(course: &Course, one: Run) -> Result<Watched, RunError> {
+    let mut watch = Watch { course, samples: Vec::new() };
+    let mut history = (one.replicate == 0).then(History::default);
+    let summary = run(course, one.seed, &mut (&mut watch, &mut history))?;
+    let shown = history.map(|history| Shown::new(course, history, &summary));
+    Ok(Watched { samples: watch.samples, summary, shown })
+}
+
+/// Keeps every decision.
+struct Watch<'a> {
+    course: &'a Course,
+    samples: Vec<Sample>,
 }
 
 impl Recorder for Watch<'_> {
