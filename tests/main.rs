@@ -35,11 +35,24 @@ fn lay(source: &Source, sets: &[&str]) -> Course {
 
 /// The folder of shared data; `None`, said aloud, where it is absent. In the gate absence is a failure.
 fn shared_data() -> Option<PathBuf> {
-    let data = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
-    if data.is_dir() {
-        return Some(data);
+    shared("data")
+}
+
+/// The folder of small inputs with their right answers; absent as [`shared_data`] is.
+fn shared_cases() -> Option<PathBuf> {
+    shared("cases")
+}
+
+fn shared(folder: &str) -> Option<PathBuf> {
+    let shared = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared").join(folder);
+    if shared.is_dir() {
+        return Some(shared);
     }
-    assert!(std::env::var("CI").as_deref() != Ok("true"), "{} is missing: the gate needs it", data.display());
-    eprintln!("skipped: {} is not there", data.display());
+    assert!(
+        std::env::var("CI").as_deref() != Ok("true"),
+        "{} is missing: the gate needs it",
+        shared.display()
+    );
+    eprintln!("skipped: {} is not there", shared.display());
     None
 }

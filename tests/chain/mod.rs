@@ -2,6 +2,8 @@
 
 /// Every promise of a law holds in the world it flies in.
 mod centering;
+/// On maps of kilometres a run is what it is on small ones.
+mod far;
 /// What is left out for speed changes no bit.
 mod fast;
 /// Whatever goes wrong with the radio, a run ends in words.

@@ -2,7 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use uchain_core::explore::{ExploreParams, Point};
+use uchain_core::{
+    bounded,
+    explore::{ExploreParams, Point},
+};
 
 /// A place (m).
 pub(crate) type At = [f64; 2];
@@ -41,7 +44,7 @@ pub(crate) fn distance_m(a: At, b: At) -> f64 {
 /// The point of a segment that is nearest to a place.
 fn nearest_on(p: At, [a, b]: Wall) -> At {
     let along = less(b, a);
-    let share = (dot(less(p, a), along) / dot(along, along)).clamp(0.0, 1.0);
+    let share = bounded(dot(less(p, a), along) / dot(along, along), 0.0, 1.0);
     [a[0] + share * along[0], a[1] + share * along[1]]
 }
 

@@ -6,6 +6,7 @@ use std::sync::{
 };
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use uchain_core::bounded;
 use uchain_sim::record::{Frame, History, RecordError, Recorder};
 
 /// Set by Ctrl-C. A process has one such signal, so there is one flag.
@@ -56,7 +57,7 @@ impl Watch {
         }
         Self {
             history: History::default(),
-            frames_max: (PLACES_MAX / uavs.max(1)).clamp(FRAMES.0, FRAMES.1),
+            frames_max: bounded(PLACES_MAX / uavs.max(1), FRAMES.0, FRAMES.1),
             stride: 1,
             decisions: 0,
             last: Frame::default(),

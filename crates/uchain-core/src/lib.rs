@@ -17,8 +17,11 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+mod bounded;
 pub mod chain;
 #[cfg(feature = "alloc")]
 pub mod explore;
 pub mod params;
 pub mod seam;
+
+pub use bounded::bounded;

@@ -1,5 +1,7 @@
 //! The equalization laws: move toward the worse link (Laclau 2021, Eq. 12, Algorithm 1).
 
+use crate::bounded;
+
 /// How an imbalance becomes a speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -108,7 +110,7 @@ pub fn equalize(back_loss_db: f32, front_loss_db: f32, params: &EqualizeParams) 
         SpeedLaw::BangBang if s_d.abs() <= params.bang_band_db => 0.0,
         SpeedLaw::BangBang => params.bang_mps.copysign(s_d),
     };
-    speed_mps.clamp(-params.v_max_mps, params.v_max_mps)
+    bounded(speed_mps, -params.v_max_mps, params.v_max_mps)
 }
 
 /// Distance at which the model of "inverse-model" has this loss (m); finite for every loss.

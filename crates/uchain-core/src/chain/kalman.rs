@@ -1,5 +1,7 @@
 //! Scalar Kalman filter of a link's loss, driven by optic flow (Laclau 2021, Eq. 16–19).
 
+use crate::bounded;
+
 crate::params! {
     /// Noise and model of [`ScalarKalman`].
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -48,7 +50,7 @@ impl ScalarKalman {
     /// A filter that starts at its first sample, `r = z`, `P = R`; `None` if the sample is not finite.
     pub fn start(loss_db: f32, params: &KalmanParams) -> Option<Self> {
         loss_db.is_finite().then(|| Self {
-            loss_db: loss_db.clamp(-LOSS_LIMIT_DB, LOSS_LIMIT_DB),
+            loss_db: bounded(loss_db, -LOSS_LIMIT_DB, LOSS_LIMIT_DB),
             variance_db2: params.measurement_variance_db2,
         })
     }
@@ -58,7 +60,7 @@ impl ScalarKalman {
     pub fn predict(&mut self, separating_mps: f32, period_s: f32, params: &KalmanParams) {
         let u = if separating_mps.is_finite() { separating_mps } else { 0.0 };
         let lead_db = params.flow_gain_db_per_m * period_s * u;
-        self.loss_db = (self.loss_db + lead_db).clamp(-LOSS_LIMIT_DB, LOSS_LIMIT_DB);
+        self.loss_db = bounded(self.loss_db + lead_db, -LOSS_LIMIT_DB, LOSS_LIMIT_DB);
         self.variance_db2 =
             (self.variance_db2 + params.process_variance_db2_per_s * period_s).min(VARIANCE_LIMIT_DB2);
     }
@@ -68,7 +70,7 @@ impl ScalarKalman {
         if !loss_db.is_finite() {
             return;
         }
-        let z = loss_db.clamp(-LOSS_LIMIT_DB, LOSS_LIMIT_DB);
+        let z = bounded(loss_db, -LOSS_LIMIT_DB, LOSS_LIMIT_DB);
         let gain = self.variance_db2 / (self.variance_db2 + params.measurement_variance_db2);
         self.loss_db += gain * (z - self.loss_db);
         self.variance_db2 *= 1.0 - gain;

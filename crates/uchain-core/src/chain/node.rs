@@ -4,6 +4,7 @@ use super::{
     CenterParams, Centering, Command, End, EqualizeParams, Follow, HeadGuard, KalmanParams, LinkEnd,
     LinkParams, Observation, Packet, RadioSlot, RelayGuard, Signal, Takeoff, TakeoffParams, center, equalize,
 };
+use crate::bounded;
 use crate::seam::Brain;
 
 /// A node's place in the chain.
@@ -152,7 +153,7 @@ impl Node {
                 self.relay_guard.limit(wish_mps, &self.back, &self.front, &p.link)
             }
         };
-        self.forward_mps = wish_mps.clamp(-p.equalize.v_max_mps, p.equalize.v_max_mps);
+        self.forward_mps = bounded(wish_mps, -p.equalize.v_max_mps, p.equalize.v_max_mps);
     }
 
     fn command(&self) -> Command {

@@ -3,6 +3,7 @@
 use alloc::{vec, vec::Vec};
 
 use super::{ExploreParams, Point, Target};
+use crate::bounded;
 
 /// What conflicts make of one robot's target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -102,7 +103,7 @@ fn from_origin(from: [f32; 2], to: [f32; 2]) -> f32 {
     let length2 = along[0] * along[0] + along[1] * along[1];
     let share = -(from[0] * along[0] + from[1] * along[1]) / length2;
     // NaN for a segment of no length.
-    let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
+    let share = if share.is_finite() { bounded(share, 0.0, 1.0) } else { 0.0 };
     let (x, y) = (from[0] + share * along[0], from[1] + share * along[1]);
     libm::sqrtf(x * x + y * y)
 }

@@ -1,6 +1,7 @@
 //! What a planner asks before anyone flies: how many UAVs does the tunnel need, and how long does that take?
 
 use serde::Serialize;
+use uchain_core::bounded;
 
 use crate::config::Course;
 
@@ -153,7 +154,7 @@ pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64, uavs: Option<usize>
     for step in 1..=steps as usize {
         let depth_m = (step as f64 * step_m).min(to_m).min(tunnel_m);
         let links = yardstick.links_needed(depth_m);
-        let listed = links.or(uavs).unwrap_or(MOST_LISTED).clamp(1, MOST_LISTED);
+        let listed = bounded(links.or(uavs).unwrap_or(MOST_LISTED), 1, MOST_LISTED);
         let bottleneck = |links| yardstick.optimum(depth_m, links).bottleneck_db;
         let relays_needed = links.map(|links| links - 1);
         let time_min = clock.time_min(depth_m);

@@ -1,6 +1,7 @@
 //! Link losses over time, as in Laclau 2021, Fig. 4D.
 
 use kuva::render::render::Scene;
+use uchain_core::bounded;
 
 use super::{
     colour::{self, GREY, INK},
@@ -71,7 +72,7 @@ impl<'a> Losses<'a> {
     /// UAVs named in the legend: all of a short chain, some of a long one.
     fn named(&self) -> impl Iterator<Item = usize> + use<> {
         let last = self.uavs - 1;
-        let steps = last.clamp(1, NAMED_MAX - 1);
+        let steps = bounded(last, 1, NAMED_MAX - 1);
         (0..=steps.min(last)).map(move |i| i * last / steps)
     }
 

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 use kuva::render::render::{Primitive, Scene};
+use uchain_core::bounded;
 
 use super::{
     colour::{self, FREE, INK},
@@ -62,7 +63,7 @@ impl<'a> Tunnel<'a> {
     /// The panel whose box has the region's own shape, so that a metre is as long across as up.
     pub(super) fn panel(&self, top: f64) -> Panel {
         let size_m = self.high_m - self.low_m;
-        let height = (BOX_WIDTH * size_m.y / size_m.x).clamp(HEIGHTS.0, HEIGHTS.1);
+        let height = bounded(BOX_WIDTH * size_m.y / size_m.x, HEIGHTS.0, HEIGHTS.1);
         let m_per_unit = (size_m.x / BOX_WIDTH).max(size_m.y / height);
         let middle = (self.low_m + self.high_m) / 2.0;
         let half = DVec2::new(BOX_WIDTH, height) * m_per_unit / 2.0;

@@ -1,6 +1,7 @@
 //! A corridor of one width along a centre line.
 
 use glam::{DVec2, Vec2};
+use uchain_core::bounded;
 
 use super::{
     CentreLine, FARTHEST_M, MOST_WALLS, Map, MapError,
@@ -186,7 +187,7 @@ impl Builder {
         let outer_m = corner.radius_m + self.half_m;
         let chord_rad = 2.0 * libm::acos(1.0 - (SAGITTA_M / outer_m).min(1.0));
         // Flat arcs of the largest radius have chords of 1e-4 rad; the limit is never met by a real bend.
-        let chords = (corner.turn_rad.abs() / chord_rad).ceil().clamp(1.0, 65_536.0) as usize;
+        let chords = bounded((corner.turn_rad.abs() / chord_rad).ceil() as usize, 1, 65_536);
         let inner_m = corner.radius_m - self.half_m;
         let inner_m = if inner_m < POINT_M { 0.0 } else { inner_m };
         let (left_m, right_m) = if side > 0.0 { (inner_m, outer_m) } else { (outer_m, inner_m) };

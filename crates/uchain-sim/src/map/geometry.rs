@@ -2,6 +2,7 @@
 
 use glam::{DVec2, Vec2};
 use robust::{Coord, orient2d};
+use uchain_core::bounded;
 
 /// A straight piece of wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,7 +33,7 @@ pub(super) fn orient(a: DVec2, b: DVec2, c: DVec2) -> f64 {
 pub(super) fn distance_squared(a: DVec2, b: DVec2, p: DVec2) -> f64 {
     let along = b - a;
     let length_squared = along.length_squared();
-    let t = if length_squared > 0.0 { ((p - a).dot(along) / length_squared).clamp(0.0, 1.0) } else { 0.0 };
+    let t = if length_squared > 0.0 { bounded((p - a).dot(along) / length_squared, 0.0, 1.0) } else { 0.0 };
     (a + along * t).distance_squared(p)
 }
 

@@ -3,6 +3,7 @@
 use std::ops::{ControlFlow, Range};
 
 use glam::DVec2;
+use uchain_core::bounded;
 
 use super::geometry::Segment;
 
@@ -186,7 +187,7 @@ impl Grid {
             } else {
                 let low = (row as f64 - MARGIN_CELLS - from.y) / step.y;
                 let high = (row as f64 + 1.0 + MARGIN_CELLS - from.y) / step.y;
-                (low.min(high).clamp(0.0, 1.0), low.max(high).clamp(0.0, 1.0))
+                (bounded(low.min(high), 0.0, 1.0), bounded(low.max(high), 0.0, 1.0))
             };
             let (x0, x1) = (from.x + enter * step.x, from.x + leave * step.x);
             let Some((left, right)) = clip(x0.min(x1), x0.max(x1), self.cols) else { continue };

@@ -8,6 +8,7 @@ use std::ops::ControlFlow;
 
 use glam::{DVec2, Vec2};
 use smallvec::SmallVec;
+use uchain_core::bounded;
 
 use super::{
     Map,
@@ -46,7 +47,7 @@ impl Map {
         let (a, b) = if (b.x, b.y) < (a.x, a.y) { (b, a) } else { (a, b) };
         let mut rock = 0.0;
         self.each_rock_stretch(a.as_dvec2(), b.as_dvec2(), |from, to| rock += to - from);
-        rock.clamp(0.0, 1.0) as f32
+        bounded(rock, 0.0, 1.0) as f32
     }
 
     /// How many separate stretches of the segment `a b` are inside rock; stretches of 1 µm or less do not count.
@@ -117,7 +118,8 @@ impl Map {
                 let (side_u, side_v) = (orient(a, b, u), orient(a, b, v));
                 if side_u == 0.0 && side_v == 0.0 {
                     let along = (b - a) / (b - a).length_squared();
-                    let (t, s) = ((u - a).dot(along).clamp(0.0, 1.0), (v - a).dot(along).clamp(0.0, 1.0));
+                    let (t, s) =
+                        (bounded((u - a).dot(along), 0.0, 1.0), bounded((v - a).dot(along), 0.0, 1.0));
                     if t != s {
                         cuts.runs.push((t.min(s), t.max(s)));
                     }

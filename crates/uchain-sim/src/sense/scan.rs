@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use glam::{DVec2, Vec2};
-use uchain_core::explore::ExploreParams;
+use uchain_core::{bounded, explore::ExploreParams};
 
 use crate::map::{Map, Segment};
 
@@ -112,7 +112,7 @@ impl Stadium {
         let length_m = a.distance(b);
         // A wall of no length is a disc.
         let along = if length_m > 0.0 { (b - a) / length_m } else { DVec2::ZERO };
-        let nearest = a + along * (-a.dot(along)).clamp(0.0, length_m);
+        let nearest = a + along * bounded(-a.dot(along), 0.0, length_m);
         Self { a, along, length_m, nearest, r_m }
     }
 

@@ -3,7 +3,7 @@
 use core::f32::consts::FRAC_PI_4;
 
 use glam::Vec2;
-use uchain_core::chain::Tof;
+use uchain_core::{bounded, chain::Tof};
 
 use super::rays::Rays;
 use crate::{seed::Stream, world::World};
@@ -123,7 +123,7 @@ impl TofNoise {
             if dropout < self.params.dropout || exact_m >= self.params.range_m {
                 return self.params.range_m;
             }
-            (exact_m + self.params.noise_m * noise.value()).clamp(0.0, self.params.range_m)
+            bounded(exact_m + self.params.noise_m * noise.value(), 0.0, self.params.range_m)
         };
         Tof {
             nw_m: measure(exact.nw_m),

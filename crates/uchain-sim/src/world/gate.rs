@@ -109,7 +109,9 @@ impl Gate {
         if self.mode == GateMode::Open || wall_gap_m < stride_i_m {
             self.mark(i);
         }
-        let mut roam_m = (wall_gap_m - ROUNDING_M).clamp(0.0, ROAM_MAX_M);
+        // Who is nowhere (NaN) is asked in every tick.
+        let roomy = wall_gap_m > ROUNDING_M;
+        let mut roam_m = if roomy { (wall_gap_m - ROUNDING_M).min(ROAM_MAX_M) } else { 0.0 };
         let reach_m = 2.0 * radius_m + SLACK_M + ROAM_MAX_M + stride_i_m.max(ROAM_MAX_M);
         for (j, at) in crowd.near(body.at, reach_m).filter(|(j, _)| *j != i) {
             let gap_m = at.distance(body.at) - 2.0 * radius_m - SLACK_M;

@@ -1,5 +1,6 @@
 //! What is drawn against what: the first key with numbers stands on the axis, every combination of the others is a line.
 
+use uchain_core::bounded;
 use uchain_sim::{
     analyse::Estimate,
     draw::sweep::{Chart, LINES_MAX, Line},
@@ -53,7 +54,7 @@ pub(super) fn distribution<'a>(sweep: &Sweep, name: &'a str, mut values: Vec<f64
     const STEPS: usize = 100;
     values.sort_by(f64::total_cmp);
     let last = values.len().saturating_sub(1);
-    let steps = last.clamp(1, STEPS);
+    let steps = bounded(last, 1, STEPS);
     let point = |step: usize| {
         let place = step * last / steps;
         let share = (place + 1) as f64 / values.len() as f64;

@@ -5,6 +5,7 @@ mod firmware;
 use nalgebra::{Matrix2x4, Vector2, Vector4};
 
 use super::{Follow, Tof};
+use crate::bounded;
 
 /// Whose centering.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -139,12 +140,12 @@ pub fn center(tof: &Tof, backward: bool, follow: Follow, params: &CenterParams) 
         }
         CenterLaw::Firmware => firmware::steer([nw, ne, sw, se], follow, params),
     };
-    let lateral_mps = lateral.clamp(-params.lateral_max_mps, params.lateral_max_mps);
-    let yaw_rate_radps = yaw_rate.clamp(-params.yaw_rate_max_radps, params.yaw_rate_max_radps);
+    let lateral_mps = bounded(lateral, -params.lateral_max_mps, params.lateral_max_mps);
+    let yaw_rate_radps = bounded(yaw_rate, -params.yaw_rate_max_radps, params.yaw_rate_max_radps);
 
     let nearest_ahead = lead_left.min(lead_right);
     let speed_share =
-        ((nearest_ahead - params.slow_from_m) / params.slow_over_m).clamp(params.slow_floor, 1.0);
+        bounded((nearest_ahead - params.slow_from_m) / params.slow_over_m, params.slow_floor, 1.0);
     let pushed_mps = push(nw.min(sw), ne.min(se), params);
     Centering { lateral_mps: pushed_mps.unwrap_or(lateral_mps), yaw_rate_radps, speed_share }
 }

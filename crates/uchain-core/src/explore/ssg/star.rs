@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 use core::f32::consts::TAU;
 
 use super::super::Point;
+use crate::bounded;
 
 /// What bounds a sector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,7 +50,7 @@ impl Sector {
 
     /// As another robot reports it: without an obstacle it reaches `R_s`, and none reaches farther.
     pub(super) fn believed(self, r_s_m: f32) -> Self {
-        let r_m = if self.r_m.is_finite() { self.r_m.clamp(0.0, r_s_m) } else { 0.0 };
+        let r_m = if self.r_m.is_finite() { bounded(self.r_m, 0.0, r_s_m) } else { 0.0 };
         Self { r_m: if self.label == Label::Obstacle { r_m } else { r_s_m }, ..self }
     }
 }

@@ -1,5 +1,7 @@
 //! The best chains over a whole tunnel, on samples of the depth.
 
+use uchain_core::bounded;
+
 /// Most samples of a chart: the losses between all pairs of them take 9 MB while it is drawn.
 pub const MOST_SAMPLES: usize = 1_500;
 /// Most links of a chart.
@@ -83,7 +85,7 @@ impl Chart {
     /// Least worst link against depth (dB): entry i is a head at depth i · [`Self::step_m`]. `links` from 1; beyond
     /// [`Self::links_max`] that of as many.
     pub fn bottleneck_db(&self, links: usize) -> &[f64] {
-        let start = (links.clamp(1, self.links_max()) - 1) * self.samples;
+        let start = (bounded(links, 1, self.links_max()) - 1) * self.samples;
         self.best_db.get(start..start + self.samples).unwrap_or_default()
     }
 

@@ -14,6 +14,8 @@ mod yardstick;
 pub use chart::{Chart, MOST_LINKS, MOST_SAMPLES};
 pub use yardstick::Yardstick;
 
+use uchain_core::bounded;
+
 use chart::known;
 
 /// How closely the relays of an optimum are placed (m).
@@ -84,7 +86,7 @@ fn optimum_from(
     head_m: f64,
     links: usize,
 ) -> Optimum {
-    let asked = links.clamp(1, MOST_LINKS);
+    let asked = bounded(links, 1, MOST_LINKS);
     // Beyond what the chart knows no relay helps; the rest stay at the base.
     let links = asked.min(chart.links_max() + 1);
     let whole = |depths_m: Vec<f64>| Optimum::of(loss_db, [vec![0.0; asked - links], depths_m].concat());
@@ -115,7 +117,7 @@ fn starts(worst_db: &[f64]) -> Vec<usize> {
 /// allows reach the head; the optimum where loss grows with distance. Elsewhere it may be worse than [`optimum`], or
 /// `None` where no level reaches the head.
 pub fn equal_links(loss_db: &impl Fn(f64, f64) -> f64, head_depth_m: f64, links: usize) -> Option<Optimum> {
-    let links = links.clamp(1, MOST_LINKS);
+    let links = bounded(links, 1, MOST_LINKS);
     let chain = level::level(loss_db, head_depth_m, links, known(loss_db(0.0, head_depth_m)))?;
     Some(Optimum::of(loss_db, chain))
 }

@@ -1,5 +1,7 @@
 //! From a chain on samples to the best chain near it.
 
+use uchain_core::bounded;
+
 use super::chart::known;
 
 /// Places tried on each side of a relay.
@@ -81,6 +83,6 @@ fn best_in_windows(loss_db: &impl Fn(f64, f64) -> f64, depths_m: &[f64], step_m:
 
 fn window(middle_m: f64, head_m: f64, step_m: f64) -> Vec<Place> {
     let offset = |k: usize| (k as f64 - REACH as f64) * step_m;
-    let place = |k| Place { depth_m: (middle_m + offset(k)).clamp(0.0, head_m), worst_db: 0.0, behind: 0 };
+    let place = |k| Place { depth_m: bounded(middle_m + offset(k), 0.0, head_m), worst_db: 0.0, behind: 0 };
     (0..=2 * REACH).map(place).collect()
 }

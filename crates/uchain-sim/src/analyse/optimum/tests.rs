@@ -1,6 +1,7 @@
 //! The optimum against exhaustive search, closed forms, jumps and a tunnel that turns back on itself.
 
 use glam::DVec2;
+use uchain_core::bounded;
 
 use super::*;
 use crate::{
@@ -140,7 +141,7 @@ fn in_a_straight_tunnel_relays_stand_equally_far_apart() {
 #[test]
 fn where_loss_is_continuous_and_grows_all_links_are_equal() {
     // Eight times steeper between 3 and 3.5 m, as round a corner.
-    let along = |x_m: f64| x_m + 7.0 * (x_m - 3.0).clamp(0.0, 0.5);
+    let along = |x_m: f64| x_m + 7.0 * bounded(x_m - 3.0, 0.0, 0.5);
     let corner = |a_m: f64, b_m: f64| straight(along(a_m), along(b_m)) + 8.0 * (along(b_m) - along(a_m));
     for links in 2..=6 {
         let found = optimum(&corner, &chart(corner, 8.0), 8.0, links);
@@ -166,7 +167,7 @@ fn where_loss_jumps_links_are_unequal_and_the_infimum_is_approached() {
 #[test]
 fn in_a_u_the_best_chain_leaps_across_and_bisection_on_the_level_does_not_find_it() {
     // 6 m out, 1 m across, 12 m back, as if rock were air: the relay belongs beyond the turn.
-    let at = |x: f64| DVec2::new(if x <= 6.0 { x } else { 13.0 - x.max(7.0) }, (x - 6.0).clamp(0.0, 1.0));
+    let at = |x: f64| DVec2::new(if x <= 6.0 { x } else { 13.0 - x.max(7.0) }, bounded(x - 6.0, 0.0, 1.0));
     let u = |a_m: f64, b_m: f64| straight(0.0, at(a_m).distance(at(b_m)));
     let found = optimum(&u, &chart(u, 19.0), 19.0, 2);
     // 2.917 m past the base, 3.083 m from it and from the head.

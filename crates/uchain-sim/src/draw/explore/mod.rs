@@ -7,6 +7,7 @@ mod time;
 
 use glam::DVec2;
 use kuva::render::render::Scene;
+use uchain_core::bounded;
 
 use super::{
     DrawError, Picture,
@@ -95,7 +96,7 @@ impl Sheet<'_> {
         let offset = DVec2::from(self.site.map.offset_m());
         let (low, high) = (low.as_dvec2() + offset, high.as_dvec2() + offset);
         let size_m = (high - low) * (1.0 + 2.0 * MARGIN_SHARE);
-        let height = (BOX_WIDTH * size_m.y / size_m.x).clamp(HEIGHTS.0, HEIGHTS.1);
+        let height = bounded(BOX_WIDTH * size_m.y / size_m.x, HEIGHTS.0, HEIGHTS.1);
         let m_per_unit = (size_m.x / BOX_WIDTH).max(size_m.y / height);
         let half = DVec2::new(BOX_WIDTH, height) * m_per_unit / 2.0;
         let middle = (low + high) / 2.0;

@@ -7,6 +7,7 @@ use kuva::render::{
     color::Color,
     render::{Primitive, Scene},
 };
+use uchain_core::bounded;
 
 use super::Sheet;
 use crate::{
@@ -75,7 +76,7 @@ impl Sheet<'_> {
     pub(super) fn fine(&self, panel: &Panel) -> f64 {
         let from = self.at(panel, [0.0, 0.0]).0;
         let star = self.at(panel, [self.site.scenario.params.r_s_m, 0.0]).0 - from;
-        (star / STAR_WIDE).clamp(0.3, 1.0)
+        bounded(star / STAR_WIDE, 0.3, 1.0)
     }
 
     fn at(&self, panel: &Panel, at: [f32; 2]) -> (f64, f64) {

@@ -4,6 +4,7 @@
 
 use glam::{DVec2, Vec2, vec2};
 use proptest::prelude::*;
+use uchain_core::bounded;
 
 use super::rectangle;
 use crate::map::{Map, Vertex, corridor};
@@ -17,7 +18,7 @@ fn cross(a: DVec2, b: DVec2, p: DVec2) -> f64 {
 
 fn off_wall_m(map: &Map, p: DVec2) -> f64 {
     let off = |(a, b): (DVec2, DVec2)| {
-        let t = ((p - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+        let t = bounded((p - a).dot(b - a) / (b - a).length_squared(), 0.0, 1.0);
         p.distance(a + (b - a) * t)
     };
     map.walls().iter().map(|wall| off((wall.a.into(), wall.b.into()))).fold(f64::INFINITY, f64::min)

@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, Vec2};
+use uchain_core::bounded;
 
 /// The middle of a corridor: straights and arcs, end to end.
 ///
@@ -88,7 +89,7 @@ impl CentreLine {
         let along_m = if self.closed {
             abscissa_m.rem_euclid(self.length_m)
         } else {
-            abscissa_m.clamp(0.0, self.length_m)
+            bounded(abscissa_m, 0.0, self.length_m)
         };
         let index = self.pieces.partition_point(|piece| piece.start_m <= along_m).saturating_sub(1);
         let Some(piece) = self.pieces.get(index) else { return (DVec2::NAN, f64::NAN) };
@@ -128,7 +129,7 @@ impl Piece {
     fn nearest(&self, p: DVec2) -> (f64, f64) {
         match self.shape {
             Shape::Straight { from, direction } => {
-                let within_m = (p - from).dot(direction).clamp(0.0, self.length_m);
+                let within_m = bounded((p - from).dot(direction), 0.0, self.length_m);
                 ((from + direction * within_m).distance(p), within_m)
             }
             Shape::Arc { centre, radius_m, start_rad, turn_rad } => {
@@ -137,10 +138,10 @@ impl Piece {
                 let middle = start_rad + turn_rad / 2.0;
                 let off = wrapped(libm::atan2(out.y, out.x) - middle);
                 let half = turn_rad.abs() / 2.0;
-                let off = off.clamp(-half, half);
+                let off = bounded(off, -half, half);
                 let share = 0.5 + off / turn_rad;
                 let nearest = centre + unit(middle + off) * radius_m;
-                (nearest.distance(p), share.clamp(0.0, 1.0) * self.length_m)
+                (nearest.distance(p), bounded(share, 0.0, 1.0) * self.length_m)
             }
         }
     }

@@ -7,6 +7,7 @@ mod settle;
 mod tests;
 
 use glam::Vec2;
+use uchain_core::bounded;
 
 pub use centre_line::CentreLine;
 
@@ -42,7 +43,7 @@ impl Tunnel {
     /// The same tunnel, given up beyond this depth (m).
     #[must_use]
     pub fn until(mut self, depth_m: f64) -> Self {
-        self.length_m = depth_m.clamp(0.0, self.length_m);
+        self.length_m = bounded(depth_m, 0.0, self.length_m);
         self
     }
 

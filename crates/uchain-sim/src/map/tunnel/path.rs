@@ -3,6 +3,7 @@
 use std::{cmp::Reverse, collections::BinaryHeap};
 
 use glam::{DVec2, Vec2};
+use uchain_core::bounded;
 
 use super::settle::settle;
 use crate::map::{CentreLine, Map, MapError};
@@ -69,7 +70,7 @@ impl<'m> Search<'m> {
         let (low, high) = map.bounds();
         let (low, size) = (low.as_dvec2(), (high - low).as_dvec2());
         let nearest_m = f64::from(map.clearance_m(from).min(map.clearance_m(to)));
-        let mut cell_m = (nearest_m / CELLS_PER_CLEARANCE).clamp(CELL_M.0, CELL_M.1);
+        let mut cell_m = bounded(nearest_m / CELLS_PER_CLEARANCE, CELL_M.0, CELL_M.1);
         let count = |cell_m: f64| ((size.x / cell_m).floor() + 1.0, (size.y / cell_m).floor() + 1.0);
         let (mut cols, mut rows) = count(cell_m);
         while cols * rows > MOST_CELLS {
@@ -107,7 +108,7 @@ impl<'m> Search<'m> {
 
     /// Cost of a metre.
     fn price(&self, clearance_m: f64) -> f64 {
-        let clearance_m = clearance_m.clamp(0.25 * self.cell_m, OPEN_M);
+        let clearance_m = bounded(clearance_m, 0.25 * self.cell_m, OPEN_M);
         1.0 / (clearance_m * clearance_m)
     }
 

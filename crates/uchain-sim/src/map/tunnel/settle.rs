@@ -1,6 +1,7 @@
 //! From a way over cells to a smooth line in the middle.
 
 use glam::DVec2;
+use uchain_core::bounded;
 
 use super::path::OPEN_M;
 use crate::map::Map;
@@ -38,7 +39,7 @@ fn evenly(line: &[DVec2], spacing_m: f64) -> Vec<DVec2> {
     for (a, b) in legs() {
         let leg_m = a.distance(*b);
         while next < count && next * step_m <= before_m + leg_m {
-            points.push(a.lerp(*b, ((next * step_m - before_m) / leg_m).clamp(0.0, 1.0)));
+            points.push(a.lerp(*b, bounded((next * step_m - before_m) / leg_m, 0.0, 1.0)));
             next += 1.0;
         }
         before_m += leg_m;

@@ -1,5 +1,7 @@
 //! Where the conditions of the proof do not hold: quality that is not monotone, and slopes above k.
 
+use uchain_core::bounded;
+
 use super::{decide, measure, worst_db};
 use crate::{
     config::Course,
@@ -150,7 +152,7 @@ fn settle(case: &Case, start: u64, best_db: f64, loss_db: &impl Fn(f64, f64) -> 
         decide(&mut depths_m, &mut links_db, case.k_db_per_m, STEP_MAX_M, loss_db);
         // Bodies cannot pass one another.
         for i in 1..depths_m.len() - 1 {
-            depths_m[i] = depths_m[i].clamp(depths_m[i - 1], case.head_m);
+            depths_m[i] = bounded(depths_m[i], depths_m[i - 1], case.head_m);
         }
         if decision >= DECISIONS - LAST {
             measure(&depths_m, &mut links_db, loss_db);

@@ -4,6 +4,8 @@ mod growth;
 mod limits;
 mod optimality;
 
+use uchain_core::bounded;
+
 use crate::paper::{Flights, Item, Outcome, PaperError};
 
 pub(super) const FORMAL: Item = Item {
@@ -39,7 +41,7 @@ fn decide(
     for (relay, pair) in relays.zip(links_db.windows(2)) {
         // Toward the head if the link to it is the worse one.
         let step_m = (pair[1] - pair[0]) / (3.0 * k_db_per_m);
-        *relay += step_m.clamp(-step_max_m, step_max_m);
+        *relay += bounded(step_m, -step_max_m, step_max_m);
     }
 }
 

@@ -3,6 +3,7 @@
 use core::ops::Range;
 
 use glam::Vec2;
+use uchain_core::bounded;
 
 use crate::map::Segment;
 
@@ -81,7 +82,8 @@ impl Lattice {
         for y in self.indices(a.y.min(b.y) - reach_m, a.y.max(b.y) + reach_m, self.rows) {
             // Only this much of the wall comes within reach of the row.
             let middle_m = (y as f32 + 0.5) * self.cell_m;
-            let share = |y_m: f32| if a.y == b.y { 0.5 } else { ((y_m - a.y) / (b.y - a.y)).clamp(0.0, 1.0) };
+            let share =
+                |y_m: f32| if a.y == b.y { 0.5 } else { bounded((y_m - a.y) / (b.y - a.y), 0.0, 1.0) };
             let ends = [share(middle_m - reach_m), share(middle_m + reach_m)].map(|s| a.x + (b.x - a.x) * s);
             let [from_m, to_m] = if a.y == b.y { [a.x, b.x] } else { ends };
             for x in self.indices(from_m.min(to_m) - reach_m, from_m.max(to_m) + reach_m, self.columns) {

@@ -1,4 +1,5 @@
 use proptest::prelude::*;
+use uchain_core::bounded;
 
 use super::*;
 use crate::map::drawn;
@@ -22,7 +23,7 @@ fn march_m(map: &Map, from: Vec2, angle: f64, params: &ExploreParams) -> f64 {
             .iter()
             .map(|wall| {
                 let (a, b) = (wall.a.as_dvec2(), wall.b.as_dvec2());
-                let share = ((at - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+                let share = bounded((at - a).dot(b - a) / (b - a).length_squared(), 0.0, 1.0);
                 (a + (b - a) * share).distance(at) - r_body_m
             })
             .fold(f64::INFINITY, f64::min);

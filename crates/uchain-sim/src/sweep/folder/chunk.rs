@@ -4,6 +4,7 @@ use std::{fs, io::Write as _, ops::Range, path::Path};
 
 use serde::{Deserialize, Serialize};
 use twox_hash::XxHash64;
+use uchain_core::bounded;
 
 use super::{FolderError, durable};
 use crate::sweep::Cell;
@@ -19,7 +20,7 @@ const REMEDY: &str = "remove it, and --resume flies its runs again";
 
 /// Rows of a chunk: a function of the number of runs alone.
 pub(super) fn rows(runs: u64) -> u64 {
-    runs.div_ceil(CHUNKS).clamp(1, ROWS_MAX)
+    bounded(runs.div_ceil(CHUNKS), 1, ROWS_MAX)
 }
 
 /// The first line.

@@ -1,6 +1,7 @@
 //! A rigid body that four rotors lift and turn. Axes of the body: x to the front, y to the left, z up.
 
 use glam::{Quat, Vec3};
+use uchain_core::bounded;
 
 use super::QuadrotorParams;
 
@@ -58,14 +59,14 @@ impl Airframe {
     /// Thrusts of the front, left, rear and right rotor, each from none to its greatest (N). What they cannot do all
     /// together they do first for height, roll and pitch; yaw gets what is left.
     pub(super) fn rotors_n(&self, asked: &Asked) -> [f32; 4] {
-        let limit = |n: f32| n.clamp(0.0, self.rotor_max_n);
+        let limit = |n: f32| bounded(n, 0.0, self.rotor_max_n);
         let torque = self.inertia_kg_m2 * asked.turn_radps2;
         let even = self.mass_kg * asked.lift_mps2 / 4.0;
         let (roll, pitch) = (torque.x / (2.0 * self.arm_m), torque.y / (2.0 * self.arm_m));
         let [front, left, rear, right] = [even - pitch, even + roll, even + pitch, even - roll].map(limit);
         let up_to = |a: f32, b: f32| (self.rotor_max_n - a).min(self.rotor_max_n - b);
         let (more, less) = (up_to(front, rear).min(left.min(right)), up_to(left, right).min(front.min(rear)));
-        let yaw = (torque.z / (4.0 * self.drag_arm_m)).clamp(-less, more);
+        let yaw = bounded(torque.z / (4.0 * self.drag_arm_m), -less, more);
         [front + yaw, left - yaw, rear + yaw, right - yaw]
     }
 

@@ -3,6 +3,7 @@
 use core::f32::consts::{PI, TAU};
 
 use glam::{Vec2, Vec3};
+use uchain_core::bounded;
 
 use super::{
     QuadrotorParams,
@@ -42,7 +43,7 @@ impl Pd {
 
     /// The same for a set-point at rest, with the rate held within a limit. Far from it, the rate is the limit.
     fn approach(self, error: f32, rate: f32, limit: f32) -> f32 {
-        self.per_s * ((self.per_s2 / self.per_s * error).clamp(-limit, limit) - rate)
+        self.per_s * (bounded(self.per_s2 / self.per_s * error, -limit, limit) - rate)
     }
 }
 

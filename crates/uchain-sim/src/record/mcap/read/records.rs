@@ -8,6 +8,7 @@ use mcap::{
     records::op,
     sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions},
 };
+use uchain_core::bounded;
 
 use super::{ReadError, bytes::Bytes};
 
@@ -153,7 +154,7 @@ impl<R: Read> Records<R> {
                     self.in_chunk = Some(0);
                     break;
                 }
-                Some(Ok(LinearReadEvent::ReadRequest(wanted))) => wanted.clamp(1, READ_BYTES),
+                Some(Ok(LinearReadEvent::ReadRequest(wanted))) => bounded(wanted, 1, READ_BYTES),
                 Some(Err(McapError::UnexpectedEof)) => {
                     self.end = Some(End::CutShort);
                     return Ok(());

@@ -5,6 +5,7 @@ use foxglove::messages::{
     SceneUpdate, Vector3, line_primitive::Type,
 };
 use glam::Vec2;
+use uchain_core::bounded;
 
 use super::poses::{MAP, body, rotation, time};
 use crate::{
@@ -173,6 +174,6 @@ impl Links {
 
 /// Green, yellow, red.
 fn shade(loss_db: f32, s_min_db: f32) -> Color {
-    let worse = f64::from(((loss_db - s_min_db) / SHADES_DB).clamp(-1.0, 1.0));
+    let worse = f64::from(bounded((loss_db - s_min_db) / SHADES_DB, -1.0, 1.0));
     Color { r: (1.0 + worse).min(1.0), g: (1.0 - worse).min(1.0), b: 0.1, a: 1.0 }
 }
