@@ -4,7 +4,7 @@ use criterion::Criterion;
 use uchain_core::{
     chain::{
         CenterParams, EqualizeParams, Follow, Heard, KalmanParams, Node, NodeParams, Observation, Packet,
-        RadioSlot, Role, ScalarKalman, Tof, center, equalize,
+        RadioSlot, Role, ScalarKalman, TOF_RANGE_M, Tof, center, equalize,
     },
     seam::Brain,
 };
@@ -25,7 +25,7 @@ pub(crate) fn all(criterion: &mut Criterion) {
     let params = CenterParams::default();
     let tof = Tof { nw_m: 0.7, ne_m: 0.8, sw_m: 0.75, se_m: 0.9 };
     group.bench_function("center", |b| {
-        b.iter(|| center(black_box(&tof), false, Follow::Centre, &params));
+        b.iter(|| center(black_box(&tof), TOF_RANGE_M, false, Follow::Centre, &params));
     });
     let seen = Observation { tof: Some(tof), ..Observation::default() };
     group.bench_function("decide, distances only", |b| {

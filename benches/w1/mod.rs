@@ -59,7 +59,7 @@ fn spawns(count: usize) -> Vec<(Vec2, f32)> {
 }
 
 fn command(tof: &Tof, params: &CenterParams) -> Command {
-    let centering = center(tof, false, Follow::Centre, params);
+    let centering = center(tof, RANGE_M, false, Follow::Centre, params);
     Command {
         forward_mps: SPEED_MPS * centering.speed_share,
         lateral_mps: centering.lateral_mps,

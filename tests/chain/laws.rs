@@ -8,7 +8,8 @@ use proptest::prelude::*;
 use uchain_core::{
     chain::{
         CenterLaw, CenterParams, Command, EqualizeParams, Follow, Gap, Heard, KalmanParams, Node, NodeParams,
-        Observation, Packet, Pilot, RadioSlot, Role, ScalarKalman, SpeedLaw, Tof, center, equalize,
+        Observation, Packet, Pilot, RadioSlot, Role, ScalarKalman, SpeedLaw, TOF_RANGE_M, Tof, center,
+        equalize,
     },
     seam::Brain,
 };
@@ -267,7 +268,7 @@ proptest! {
         for law in [CenterLaw::Paper, CenterLaw::Firmware] {
             let params = CenterParams { law, ..CenterParams::default() };
             for follow in [Follow::Centre, Follow::Left, Follow::Right] {
-                let c = center(&tof, backward, follow, &params);
+                let c = center(&tof, TOF_RANGE_M, backward, follow, &params);
                 prop_assert!(c.lateral_mps.abs() <= params.lateral_max_mps, "{c:?}");
                 prop_assert!(c.yaw_rate_radps.abs() <= params.yaw_rate_max_radps, "{c:?}");
                 prop_assert!((params.slow_floor..=1.0).contains(&c.speed_share), "{c:?}");

@@ -2,7 +2,8 @@
 
 use super::{
     CenterParams, Centering, Command, End, EqualizeParams, Follow, HeadGuard, KalmanParams, LinkEnd,
-    LinkParams, Observation, Packet, RadioSlot, RelayGuard, Signal, Takeoff, TakeoffParams, center, equalize,
+    LinkParams, Observation, Packet, RadioSlot, RelayGuard, Signal, TOF_RANGE_M, Takeoff, TakeoffParams,
+    center, equalize,
 };
 use crate::bounded;
 use crate::seam::Brain;
@@ -16,8 +17,8 @@ pub enum Role {
     Relay,
 }
 
-/// The Params of every law a node flies by.
-#[derive(Debug, Clone, PartialEq, Default)]
+/// The Params of every law a node flies by, and what it has to know of its sensors.
+#[derive(Debug, Clone, PartialEq)]
 pub struct NodeParams {
     /// Filter of each link end.
     pub kalman: KalmanParams,
@@ -29,6 +30,21 @@ pub struct NodeParams {
     pub takeoff: TakeoffParams,
     /// Lost and bad links.
     pub link: LinkParams,
+    /// What a ToF sensor reads that sees nothing (m).
+    pub tof_range_m: f32,
+}
+
+impl Default for NodeParams {
+    fn default() -> Self {
+        Self {
+            kalman: KalmanParams::default(),
+            equalize: EqualizeParams::default(),
+            center: CenterParams::default(),
+            takeoff: TakeoffParams::default(),
+            link: LinkParams::default(),
+            tof_range_m: TOF_RANGE_M,
+        }
+    }
 }
 
 /// The brain of one UAV.
@@ -184,7 +200,8 @@ impl Brain for Node {
             }
         }
         if let Some(tof) = &seen.tof {
-            self.centering = center(tof, self.forward_mps < 0.0, self.follow, &self.params.center);
+            let p = &self.params;
+            self.centering = center(tof, p.tof_range_m, self.forward_mps < 0.0, self.follow, &p.center);
         }
         self.command()
     }

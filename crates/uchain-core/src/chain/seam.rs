@@ -1,5 +1,8 @@
 //! What a chain node may know and ask: plain numbers, no position.
 
+/// Range of the authors' ToF sensor (m), VL53L1x (Laclau 2021, §6.2).
+pub const TOF_RANGE_M: f32 = 2.0;
+
 /// Distances along the four diagonal ToF beams (m); a beam without a return reads its range limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tof {

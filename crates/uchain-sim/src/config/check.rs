@@ -39,7 +39,6 @@ pub(super) fn values(scenario: &Scenario, document: &Document<'_>) -> Result<(),
     check.chain(scenario)?;
     check.pilot(scenario)?;
     check.params(scenario)?;
-    check.tof_range(scenario)?;
     check.faults(scenario)?;
     check.ticks("equalize.decision_s", f64::from(scenario.equalize.decision_s))?;
     check.ticks("tof.period_s", f64::from(scenario.tof.period_s))
@@ -183,20 +182,6 @@ impl Check<'_> {
             ("motion", scenario.motion.check()),
         ];
         tables.into_iter().try_for_each(|(table, checked)| self.ranged(table, checked))
-    }
-
-    /// The laws have to know the sensor's range: one that reads its full range means "no wall", not "a wall there".
-    fn tof_range(&self, scenario: &Scenario) -> Result<(), ConfigError> {
-        let own = ("center.tof_range_m", scenario.center.tof_range_m);
-        let other = ("tof.range_m", scenario.tof.range_m);
-        if own.1 == other.1 {
-            return Ok(());
-        }
-        // The key that was written is the one to point at.
-        let other_only = self.document.written(own.0).is_none() && self.document.written(other.0).is_some();
-        let ((key, got_m), (twin, twin_m)) = if other_only { (other, own) } else { (own, other) };
-        let expected = format!("must equal {twin} = {twin_m}, the range of the same sensor; set both");
-        Err(self.invalid(key, &got_m, expected))
     }
 
     fn faults(&self, scenario: &Scenario) -> Result<(), ConfigError> {

@@ -65,6 +65,15 @@ pub(super) fn join(table: &str, key: &str) -> String {
     if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") }
 }
 
+/// Keys that files once had, and the one that says it now.
+const RENAMED: [(&str, &str); 1] = [("center.tof_range_m", "tof.range_m")];
+
+/// The present name of a key that is called otherwise now, by its full name or the last part of it.
+pub(super) fn renamed(key: &str) -> Option<&'static str> {
+    let is_it = |old: &str| old == key || old.rsplit('.').next() == Some(key);
+    RENAMED.iter().find(|(old, _)| is_it(old)).map(|(_, new)| *new)
+}
+
 /// Full names of the keys and tables whose last part is `word`.
 pub(super) fn called(word: &str) -> Vec<String> {
     all().filter(|(_, name)| *name == word).map(|(table, name)| join(table, name)).collect()

@@ -7,7 +7,7 @@ use super::{
     ConfigError, Scenario, Source, check,
     diagnose::{Choices, Origin, shorten},
     document::Document,
-    keys::{TABLES, called, join, nearly_called},
+    keys::{TABLES, called, join, nearly_called, renamed},
     mission,
 };
 
@@ -110,14 +110,17 @@ fn unknown_key(at: Origin, path: &str, got: &str, known: Vec<String>) -> ConfigE
     let steps: Vec<&str> = path.split('.').filter(|step| !step.is_empty()).collect();
     let depth = steps.iter().rposition(|step| *step == shorten(got)).unwrap_or(steps.len());
     let table = steps.get(..depth).unwrap_or_default().join(".");
+    let key = join(&table, &shorten(got));
     let mut choices = Box::new(Choices::for_word(got, known));
     // A right key in a wrong table is more likely than a slip in its name.
-    if let [elsewhere] = called(got).as_slice() {
+    if let Some(new) = renamed(&key) {
+        choices.nearest = Some(new.to_owned());
+    } else if let [elsewhere] = called(got).as_slice() {
         choices.nearest = Some(elsewhere.clone());
     } else if choices.nearest.is_none() {
         choices.nearest = nearly_called(got);
     }
-    ConfigError::UnknownKey { at, key: join(&table, &shorten(got)), choices }
+    ConfigError::UnknownKey { at, key, choices }
 }
 
 /// ``unknown field `got`, expected `a` or `b` `` as (got, [a, b]).

@@ -35,6 +35,7 @@ fn node_params(scenario: &Scenario) -> NodeParams {
         center: scenario.center.clone(),
         takeoff: scenario.takeoff.clone(),
         link: scenario.link.clone(),
+        tof_range_m: scenario.tof.range_m,
     }
 }
 

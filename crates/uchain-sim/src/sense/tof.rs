@@ -3,7 +3,10 @@
 use core::f32::consts::FRAC_PI_4;
 
 use glam::Vec2;
-use uchain_core::{bounded, chain::Tof};
+use uchain_core::{
+    bounded,
+    chain::{TOF_RANGE_M, Tof},
+};
 
 use super::rays::Rays;
 use crate::{seed::Stream, world::World};
@@ -13,9 +16,9 @@ uchain_core::params! {
     #[derive(serde::Serialize, serde::Deserialize)]
     #[serde(default, deny_unknown_fields)]
     pub struct TofParams {
-        /// Range (m); no return within it reads just this. Must equal `center.tof_range_m`.
+        /// Range (m); no return within it reads just this, and centering takes such a reading for no wall.
         /// - Source: Laclau 2021, §6.2
-        pub range_m: f32 = 2.0, in 0.1..=100.0;
+        pub range_m: f32 = TOF_RANGE_M, in 0.1..=100.0;
         /// Field of view (rad); the default is 27°.
         /// - Source: data sheet of the VL53L1x
         pub field_of_view_rad: f32 = 0.471_238_9, in 0.0..=3.0;

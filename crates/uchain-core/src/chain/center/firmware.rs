@@ -32,11 +32,16 @@ impl Wall {
     }
 }
 
-/// Lateral speed (m/s) and yaw rate (rad/s) before their limits. Beams of a length of `tof_range_m` or more
-/// see nothing. The law is its own mirror image under a half-turn, so flying backward changes nothing.
-pub(super) fn steer([nw, ne, sw, se]: [f32; 4], follow: Follow, params: &CenterParams) -> (f32, f32) {
-    let left = Wall::seen(1.0, nw, sw, params.tof_range_m).filter(|_| follow != Follow::Right);
-    let right = Wall::seen(-1.0, ne, se, params.tof_range_m).filter(|_| follow != Follow::Left);
+/// Lateral speed (m/s) and yaw rate (rad/s) before their limits. Beams of a length of `range_m` or more see
+/// nothing. The law is its own mirror image under a half-turn, so flying backward changes nothing.
+pub(super) fn steer(
+    [nw, ne, sw, se]: [f32; 4],
+    range_m: f32,
+    follow: Follow,
+    params: &CenterParams,
+) -> (f32, f32) {
+    let left = Wall::seen(1.0, nw, sw, range_m).filter(|_| follow != Follow::Right);
+    let right = Wall::seen(-1.0, ne, se, range_m).filter(|_| follow != Follow::Left);
     let (wall, goal_m) = match (left, right) {
         (None, None) => return (0.0, 0.0),
         (Some(wall), None) | (None, Some(wall)) => (wall, params.firmware_goal_m),
@@ -54,6 +59,7 @@ pub(super) fn steer([nw, ne, sw, se]: [f32; 4], follow: Follow, params: &CenterP
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::chain::TOF_RANGE_M;
 
     #[test]
     fn a_narrow_tunnel_is_centered_by_its_nearer_wall_and_a_wide_one_followed_along_it() {
@@ -61,23 +67,23 @@ mod tests {
         let root2 = core::f32::consts::SQRT_2;
         // 0.3 m from the left wall of a 0.8 m tunnel: 0.1 m off, to the right at 0.2 m/s.
         let (lateral, yaw) =
-            steer([0.3 * root2, 0.5 * root2, 0.3 * root2, 0.5 * root2], Follow::Centre, &params);
+            steer([0.3 * root2, 0.5 * root2, 0.3 * root2, 0.5 * root2], TOF_RANGE_M, Follow::Centre, &params);
         assert!((lateral + 0.2).abs() < 1e-5 && yaw == 0.0);
         // 0.3 m from the left wall of a 1.2 m tunnel: the goal is a distance from that wall.
         let (lateral, _) =
-            steer([0.3 * root2, 0.9 * root2, 0.3 * root2, 0.9 * root2], Follow::Centre, &params);
+            steer([0.3 * root2, 0.9 * root2, 0.3 * root2, 0.9 * root2], TOF_RANGE_M, Follow::Centre, &params);
         assert!((lateral + 2.0 * (params.firmware_goal_m - 0.3)).abs() < 1e-5);
     }
 
     #[test]
     fn a_side_with_one_blind_beam_is_not_followed_and_blind_it_flies_straight() {
         let params = CenterParams::default();
-        let (_, yaw) = steer([2.0, 0.5, 0.5, 0.6], Follow::Centre, &params);
+        let (_, yaw) = steer([2.0, 0.5, 0.5, 0.6], TOF_RANGE_M, Follow::Centre, &params);
         assert!(
             (yaw - params.firmware_yaw_radps * 0.1 / 0.55).abs() < 1e-5,
             "the right wall recedes: turn left"
         );
-        assert_eq!(steer([2.0; 4], Follow::Centre, &params), (0.0, 0.0));
-        assert_eq!(steer([0.0; 4], Follow::Centre, &params), (0.0, 0.0));
+        assert_eq!(steer([2.0; 4], TOF_RANGE_M, Follow::Centre, &params), (0.0, 0.0));
+        assert_eq!(steer([0.0; 4], TOF_RANGE_M, Follow::Centre, &params), (0.0, 0.0));
     }
 }

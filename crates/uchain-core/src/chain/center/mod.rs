@@ -71,9 +71,6 @@ crate::params! {
         /// Speed of that push (m/s).
         /// - Source: the authors' firmware
         pub push_mps: f32 = 0.2, in 0.0..=1.0;
-        /// What a beam reads that sees nothing (m); must equal `tof.range_m`.
-        /// - Source: Laclau 2021, §6.2
-        pub tof_range_m: f32 = 2.0, in 0.1..=20.0;
         /// "firmware": lateral gain (1/s).
         /// - Source: the authors' firmware
         pub firmware_lateral_per_s: f32 = 2.0, in 0.0..=20.0;
@@ -117,17 +114,17 @@ enum Walls {
 /// Lateral speed and yaw rate that keep a UAV in mid-tunnel (Eq. 20), or along one wall where the other
 /// is lost or a wall is chosen (Eq. 21). Flying `backward` it is the same law in the frame turned by
 /// half a turn: the rear beams lead, the yaw rate is unchanged. A beam that is not finite, negative or
-/// out of range counts as one that sees nothing.
+/// longer than the sensors' `range_m` counts as one that sees nothing: it reads the range (m).
 ///
 /// ```
-/// use uchain_core::chain::{CenterParams, Follow, Tof, center};
+/// use uchain_core::chain::{CenterParams, Follow, TOF_RANGE_M, Tof, center};
 /// let nearer_the_right_wall = Tof { nw_m: 0.9, ne_m: 0.5, sw_m: 0.9, se_m: 0.5 };
-/// let asked = center(&nearer_the_right_wall, false, Follow::Centre, &CenterParams::default());
+/// let asked = center(&nearer_the_right_wall, TOF_RANGE_M, false, Follow::Centre, &CenterParams::default());
 /// assert!(asked.lateral_mps > 0.0); // to the left
 /// assert_eq!(asked.yaw_rate_radps, 0.0); // aligned already
 /// ```
-pub fn center(tof: &Tof, backward: bool, follow: Follow, params: &CenterParams) -> Centering {
-    let seen = |d: f32| if d >= 0.0 { d.min(params.tof_range_m) } else { params.tof_range_m };
+pub fn center(tof: &Tof, range_m: f32, backward: bool, follow: Follow, params: &CenterParams) -> Centering {
+    let seen = |d: f32| if d >= 0.0 { d.min(range_m) } else { range_m };
     let beams = Vector4::new(seen(tof.nw_m), seen(tof.ne_m), seen(tof.sw_m), seen(tof.se_m));
     let [nw, ne, sw, se] = beams.data.0[0];
     let (lead_left, lead_right) = if backward { (sw, se) } else { (nw, ne) };
@@ -138,7 +135,7 @@ pub fn center(tof: &Tof, backward: bool, follow: Follow, params: &CenterParams) 
             let wish = law * beams - aim;
             (wish.x, wish.y)
         }
-        CenterLaw::Firmware => firmware::steer([nw, ne, sw, se], follow, params),
+        CenterLaw::Firmware => firmware::steer([nw, ne, sw, se], range_m, follow, params),
     };
     let lateral_mps = bounded(lateral, -params.lateral_max_mps, params.lateral_max_mps);
     let yaw_rate_radps = bounded(yaw_rate, -params.yaw_rate_max_radps, params.yaw_rate_max_radps);
@@ -193,13 +190,14 @@ fn push(left_m: f32, right_m: f32, params: &CenterParams) -> Option<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::chain::TOF_RANGE_M;
 
     fn tof(nw_m: f32, ne_m: f32, sw_m: f32, se_m: f32) -> Tof {
         Tof { nw_m, ne_m, sw_m, se_m }
     }
 
     fn forward(t: &Tof) -> Centering {
-        center(t, false, Follow::Centre, &CenterParams::default())
+        center(t, TOF_RANGE_M, false, Follow::Centre, &CenterParams::default())
     }
 
     #[test]
@@ -233,7 +231,7 @@ mod tests {
     fn backward_is_the_same_law_turned_by_half_a_turn() {
         let p = CenterParams::default();
         for d in [(0.8, 0.7, 0.75, 0.72), (0.5, 1.8, 0.52, 0.6), (0.6, 0.5, 1.9, 0.55)] {
-            let back = center(&tof(d.0, d.1, d.2, d.3), true, Follow::Centre, &p);
+            let back = center(&tof(d.0, d.1, d.2, d.3), TOF_RANGE_M, true, Follow::Centre, &p);
             // Turned by 180°, front left is rear right, and left is right.
             let turned = forward(&tof(d.3, d.2, d.1, d.0));
             assert!((back.lateral_mps + turned.lateral_mps).abs() < 1e-6);
@@ -245,16 +243,16 @@ mod tests {
     #[test]
     fn a_chosen_wall_is_followed_whatever_the_other_one_does() {
         let p = CenterParams::default();
-        let c = center(&tof(1.0, 0.4, 1.0, 0.4), false, Follow::Left, &p);
+        let c = center(&tof(1.0, 0.4, 1.0, 0.4), TOF_RANGE_M, false, Follow::Left, &p);
         assert!(c.lateral_mps > 0.0);
-        let c = center(&tof(0.4, 1.0, 0.4, 1.0), false, Follow::Right, &p);
+        let c = center(&tof(0.4, 1.0, 0.4, 1.0), TOF_RANGE_M, false, Follow::Right, &p);
         assert!(c.lateral_mps < 0.0);
     }
 
     #[test]
     fn a_short_beam_pushes_to_the_other_side_and_slows_down() {
         for (tof, backward) in [(tof(0.19, 0.5, 0.5, 0.5), false), (tof(0.5, 0.5, 0.19, 0.5), true)] {
-            let c = center(&tof, backward, Follow::Centre, &CenterParams::default());
+            let c = center(&tof, TOF_RANGE_M, backward, Follow::Centre, &CenterParams::default());
             assert_eq!((c.lateral_mps, c.speed_share), (-0.2, 0.2));
         }
         // Squeezed from both sides, the law decides.
@@ -267,5 +265,15 @@ mod tests {
         assert_eq!(blind, Centering::default());
         let rubbish = tof(f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -1.0);
         assert_eq!(forward(&rubbish), blind);
+    }
+
+    #[test]
+    fn a_beam_that_reads_the_sensors_range_is_no_wall_whatever_the_range() {
+        let ask = |open_m, range_m| {
+            let seen = tof(1.0, open_m, 1.0, open_m);
+            center(&seen, range_m, false, Follow::Centre, &CenterParams::default())
+        };
+        assert_eq!(ask(1.5, 1.5), ask(9.0, 1.5), "beyond its range a sensor sees nothing");
+        assert_ne!(ask(1.5, 9.0), ask(9.0, 9.0), "within a longer range it is a wall");
     }
 }

@@ -17,7 +17,7 @@ use serde_json::{Map, Value};
 use super::{
     ConfigError,
     diagnose::Choices,
-    keys::{called, nearly_called},
+    keys::{called, nearly_called, renamed},
 };
 use schema::{Entry, entries};
 use values::{in_presets, in_scenarios, short};
@@ -90,7 +90,8 @@ pub fn explain(name: &str) -> Result<Vec<Explanation>, ConfigError> {
 fn no_such_key(name: &str, called_so: &[String], entries: &[Entry<'_>]) -> ConfigError {
     let paths = || entries.iter().map(|entry| entry.path.clone());
     let choices = if called_so.is_empty() {
-        let nearest = Choices::for_word(name, paths().collect()).nearest.or_else(|| nearly_called(name));
+        let near = || Choices::for_word(name, paths().collect()).nearest.or_else(|| nearly_called(name));
+        let nearest = renamed(name).map(str::to_owned).or_else(near);
         let alike = |path: &String| name.len() > 2 && path.contains(name) && Some(path) != nearest.as_ref();
         let known = paths().filter(alike).collect();
         Choices { nearest, known }

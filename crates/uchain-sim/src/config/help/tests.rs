@@ -179,6 +179,9 @@ fn a_key_is_found_by_its_full_name_by_its_last_part_and_by_the_name_of_its_table
     let no = |name: &str| explain(name).unwrap_err().to_string();
     assert_eq!(no("law"), "no key is called 'law' (known: equalize.law, center.law)");
     assert_eq!(no("radio.alfa_wall"), "no key is called 'radio.alfa_wall'; did you mean 'radio.alpha_wall'?");
+    for name in ["center.tof_range_m", "tof_range_m"] {
+        assert!(no(name).ends_with("; did you mean 'tof.range_m'?"), "{}", no(name));
+    }
     assert_eq!(no("0"), "no key is called '0'");
 }
 
