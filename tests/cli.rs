@@ -104,7 +104,7 @@ fn json_is_the_summary_file_and_holds_every_promised_key() {
     assert_eq!(stdout(&output), fs::read_to_string(here.path().join("results/summary.json")).unwrap());
 
     let summary: Value = serde_json::from_str(stdout(&output)).unwrap();
-    let promised = "scenario seed sim_s wall_s launches_s uavs relays_used relays_needed bottleneck_gap_db links \
+    let promised = "scenario seed sim_s wall_s outcome verdict launches_s uavs relays_used relays_needed bottleneck_gap_db links \
                     spread_db converged_s wall_contacts uav_contacts connected_fraction head_reach_m digest version";
     for key in promised.split_whitespace() {
         assert!(summary.get(key).is_some(), "{key} is missing in {summary}");

@@ -30,8 +30,9 @@ fn from_no_loss_to_total_loss_every_run_ends_in_words() {
     for percent in [0, 20, 40, 60, 80, 100] {
         let set = format!("packets.drop_rate={}", f64::from(percent) / 100.0);
         let s = run(&course("circuit", &[&set]), 1, &mut Sane).unwrap();
-        let words = if percent == 100 { "completed; the head never heard anybody" } else { "completed" };
-        assert_eq!(s.outcome, words, "{percent} %");
+        let words = s.verdict.to_string();
+        assert_eq!(words.contains("the head never heard anybody"), percent == 100, "{percent} %: {words}");
+        assert_eq!(s.verdict.outcome().is_success(), percent < 100, "{percent} %: {words}");
         if percent <= 40 {
             assert!(s.uavs >= 3 && s.connected_fraction == 1.0, "{percent} %: {s:?}");
         }
@@ -46,7 +47,7 @@ fn from_no_loss_to_total_loss_every_run_ends_in_words() {
 fn bursts_of_two_seconds_delay_the_chain_but_do_not_break_it() {
     let sets = ["faults.burst_rate=0.02", "faults.burst_packets=10"];
     let s = run(&course("circuit", &sets), 1, &mut Sane).unwrap();
-    assert_eq!((s.outcome.as_str(), s.connected_fraction), ("completed", 1.0));
+    assert_eq!((s.verdict.outcome().word(), s.connected_fraction), ("completed", 1.0), "{}", s.verdict);
     assert_ne!(s.digest, fly("circuit", &[]).digest, "the bursts must be felt");
 }
 
@@ -55,13 +56,14 @@ fn a_head_that_hears_nothing_is_pulled_back_while_its_neighbours_still_hear_it()
     let deaf = "faults.deaf=[{ uav = 0, side = \"back\", start_s = 30.0, stop_s = 40.0 }]";
     let s = run(&course("circuit", &[deaf]), 1, &mut Sane).unwrap();
     assert!(s.head_reach_m < fly("circuit", &[]).head_reach_m - 1.0, "{s:?}");
-    assert_eq!(s.outcome, "completed");
+    assert_eq!(s.verdict.outcome().word(), "completed", "{}", s.verdict);
 }
 
 #[test]
 fn a_dead_relay_is_named_and_the_chain_closes_over_it() {
     let s = run(&course("circuit", &["faults.dead=[{ uav = 1, start_s = 80.0 }]"]), 1, &mut Sane).unwrap();
-    assert_eq!(s.outcome, "completed; UAV 1 failed at 80.00 s");
+    let words = s.verdict.to_string();
+    assert!(s.verdict.outcome().is_success() && words.ends_with("; UAV 1 failed at 80.00 s"), "{words}");
     assert_eq!(s.links.iter().map(|link| link.uav).collect::<Vec<_>>(), [0, 2, 3]);
     assert_eq!(s.launches_s.len(), 4, "the spare takes off: {s:?}");
     assert!(s.connected_fraction > 0.95, "{s:?}");
@@ -73,14 +75,15 @@ fn a_uav_may_die_at_any_time() {
         for start_s in [0.0, 0.05, 1.0, 19.0, 60.0, 119.8] {
             let set = format!("faults.dead=[{{ uav = {uav}, start_s = {start_s:?} }}]");
             let s = run(&course("circuit", &[&set]), 1, &mut Sane).unwrap();
-            let flew = s.outcome.contains(" failed at ");
+            let words = s.verdict.to_string();
+            let flew = words.contains(" failed at ");
             let expected = match uav {
                 0 => start_s > 0.0,
                 1 => start_s > 18.0,
                 2 => start_s > 50.0,
                 _ => false,
             };
-            assert_eq!(flew, expected, "{set}: {}", s.outcome);
+            assert_eq!(flew, expected, "{set}: {words}");
             assert!(s.uavs <= 3, "{set}: {s:?}");
             if uav == 0 {
                 assert_eq!((s.relays_needed, s.bottleneck_gap_db), (None, None), "{set}");

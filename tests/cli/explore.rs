@@ -11,7 +11,7 @@ fn an_exploration_leaves_its_numbers_a_picture_and_a_map_that_is_flown_through_n
         uchain(here.path(), &["run", "apartment", "--set", "explore.robots=4", "--out", "out", "--json"]);
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
     let said: Value = serde_json::from_str(stdout(&run)).unwrap();
-    assert_eq!(said["stopped"], "explored");
+    assert_eq!(said["outcome"], "explored");
     assert_eq!(said["distance_m"].as_array().unwrap().len(), 4);
     let out = here.path().join("out");
     let names: Vec<_> = files(&out).iter().map(|path| path.file_name().unwrap().to_owned()).collect();
@@ -29,7 +29,7 @@ fn an_exploration_leaves_its_numbers_a_picture_and_a_map_that_is_flown_through_n
     fs::write(here.path().join("mine.toml"), mine).unwrap();
     let next = uchain(here.path(), &["run", "mine.toml", "--json"]);
     let next: Value = serde_json::from_str(stdout(&next)).unwrap_or_else(|_| panic!("{}", stderr(&next)));
-    assert_eq!(next["stopped"], "explored");
+    assert_eq!(next["outcome"], "explored");
     assert!(next["coverage"].as_f64().unwrap() > 0.97, "{next}");
 }
 
@@ -46,7 +46,7 @@ fn a_recorded_exploration_is_inspected_verified_and_told_from_another_one() {
         serde_json::from_str(stdout(&inspect)).unwrap_or_else(|_| panic!("{}", stderr(&inspect)));
     let summary = fs::read_to_string(here.path().join("runs/apartment-s1/summary.json")).unwrap();
     let summary: Value = serde_json::from_str(&summary).unwrap();
-    for key in ["digest", "stopped", "iterations", "distance_m", "coverage", "unseen"] {
+    for key in ["digest", "outcome", "verdict", "iterations", "distance_m", "coverage", "unseen"] {
         assert_eq!(said[key], summary[key], "{key}");
     }
     assert_eq!(said["progress"].as_array().unwrap().last().unwrap()["hubs"], 0);
@@ -100,7 +100,7 @@ fn a_bare_map_is_explored_and_doors_that_are_too_narrow_are_told_of_before() {
         stderr(&thin)
     );
     let said: Value = serde_json::from_str(stdout(&thin)).unwrap();
-    assert_eq!((&said["scenario"], &said["stopped"]), (&"two-rooms".into(), &"explored".into()));
+    assert_eq!((&said["scenario"], &said["outcome"]), (&"two-rooms".into(), &"explored".into()));
     // As was to be feared.
     assert!(said["coverage"].as_f64().unwrap() < 0.6 && said["shut_off_m2"] == 0.0, "{said}");
     let fat = run("0.15");

@@ -125,7 +125,7 @@ fn where_all_walls_are_at_the_scans_range_one_scan_is_enough_or_a_few_moves_are(
         let source = uchain_sim::config::Source { label: "cell.toml".into(), text, folder: "".into() };
         let site = Site::read(&source, &[]).unwrap();
         let summary = super::summary(&site, 1);
-        assert_eq!(summary.stopped, Stopped::Explored, "{half_m}");
+        assert_eq!(summary.stopped, Some(Stopped::Explored), "{half_m}");
         assert!(summary.iterations < 60, "{half_m}: {}", summary.iterations);
     }
 }

@@ -38,7 +38,7 @@ fn a_recorder_can_end_an_exploration_and_the_time_can_be_up() {
     let error = explore(&site("corridors", &[]), 1, &mut Stop(0)).unwrap_err();
     assert_eq!(error.to_string(), "interrupted at 5.0 s of simulated time");
     let short = summary(&site("corridors", &["duration_s=20"]), 1);
-    assert_eq!((short.stopped, short.sim_s), (Stopped::Time, 20.0));
+    assert_eq!((short.stopped, short.sim_s), (Some(Stopped::Time), 20.0));
     assert!(short.hubs_left > 0 && short.coverage < 0.9, "{short:?}");
 }
 
@@ -57,7 +57,7 @@ fn a_team_that_hears_only_what_is_near_still_sees_everything_and_comes_home() {
         for seed in 1..=5 {
             let far = summary(&site(map, &[]), seed);
             let near = summary(&site(map, &["explore.range_m=2.25"]), seed);
-            assert_eq!((near.stopped, near.hubs_left), (Stopped::Explored, 0));
+            assert_eq!((near.stopped, near.hubs_left), (Some(Stopped::Explored), 0));
             assert_eq!((near.wall_contacts, near.robot_contacts), (0, 0));
             assert!(near.coverage > 0.98, "{}", near.coverage);
             // What is far over all of the map is as good as unlimited.
@@ -71,7 +71,7 @@ fn robots_that_know_their_place_to_2_cm_see_everything_and_come_home() {
     for map in ["apartment", "corridors"] {
         for seed in 1..=5 {
             let summary = summary(&site(map, &["explore.position_sigma_m=0.02"]), seed);
-            assert_eq!((summary.stopped, summary.hubs_left), (Stopped::Explored, 0), "{map} {seed}");
+            assert_eq!((summary.stopped, summary.hubs_left), (Some(Stopped::Explored), 0), "{map} {seed}");
             assert!(summary.coverage > 0.98, "{map} {seed}: {}", summary.coverage);
             assert_eq!((summary.wall_contacts, summary.robot_contacts), (0, 0), "{map} {seed}");
         }

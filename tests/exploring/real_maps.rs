@@ -14,7 +14,7 @@ fn explored(map: &Path, sets: &[&str], nodes: usize, coverage: f64) {
     let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
     let source = Source::find(map.to_str().unwrap()).unwrap();
     let summary = summary(&Site::read(&source, &sets).unwrap(), 1);
-    assert_eq!((summary.stopped, summary.hubs_left), (Stopped::Explored, 0));
+    assert_eq!((summary.stopped, summary.hubs_left), (Some(Stopped::Explored), 0));
     assert_eq!((summary.wall_contacts, summary.robot_contacts), (0, 0));
     assert!(summary.coverage > coverage, "{}", summary.coverage);
     assert!(summary.nodes.iter().sum::<u32>() as usize > nodes, "{:?}", summary.nodes);

@@ -44,7 +44,7 @@ fn every_strategy_explores_three_maps_with_nothing_touched() {
         for runs in explored(map, robots) {
             for run in &runs {
                 let which = format!("{map} {:?} {} robots, seed {}", run.strategy, run.robots, run.seed);
-                assert_eq!((run.stopped, run.hubs_left), (Stopped::Explored, 0), "{which}");
+                assert_eq!((run.stopped, run.hubs_left), (Some(Stopped::Explored), 0), "{which}");
                 assert_eq!((run.wall_contacts, run.robot_contacts), (0, 0), "{which}");
             }
             let _ = writeln!(

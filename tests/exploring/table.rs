@@ -121,7 +121,7 @@ fn all_explorations_end_at_home_with_nothing_touched_and_cooperation_pays() {
     for run in runs.iter().flatten() {
         let ExploreSummary { scenario, strategy, robots, seed, .. } = run;
         let which = format!("{scenario} {strategy:?} {robots} robots, seed {seed}");
-        assert_eq!((run.stopped, run.hubs_left), (Stopped::Explored, 0), "{which}");
+        assert_eq!((run.stopped, run.hubs_left), (Some(Stopped::Explored), 0), "{which}");
         assert_eq!((run.wall_contacts, run.robot_contacts), (0, 0), "{which}");
         assert!(*strategy != Strategy::Cssg || run.coverage >= 0.99, "{which}: {}", run.coverage);
     }

@@ -99,7 +99,7 @@ fn quadrotors_touch_neither_walls_nor_each_other() {
                 let which = format!("{map} {more:?}, seed {seed}");
                 assert_eq!(
                     (run.stopped, run.wall_contacts, run.robot_contacts),
-                    (Stopped::Explored, 0, 0),
+                    (Some(Stopped::Explored), 0, 0),
                     "{which}"
                 );
             }
@@ -107,7 +107,7 @@ fn quadrotors_touch_neither_walls_nor_each_other() {
     }
     let six = flown_by("apartment", "quadrotor", &["explore.robots=6"]);
     let run = summary(&six, 1);
-    assert_eq!((run.stopped, run.wall_contacts, run.robot_contacts), (Stopped::Explored, 0, 0));
+    assert_eq!((run.stopped, run.wall_contacts, run.robot_contacts), (Some(Stopped::Explored), 0, 0));
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn in_the_lab_two_quadrotors_visit_about_as_many_nodes_as_published() {
     let site = site("lab", &[]);
     assert_eq!(site.scenario.team.vehicle, VehicleKind::Quadrotor);
     let run = summary(&site, 1);
-    assert_eq!((run.stopped, run.wall_contacts, run.robot_contacts), (Stopped::Explored, 0, 0));
+    assert_eq!((run.stopped, run.wall_contacts, run.robot_contacts), (Some(Stopped::Explored), 0, 0));
     assert!(run.moves.iter().all(|moves| (18..=24).contains(&(moves + 1))), "{:?}", run.moves);
     assert!(run.coverage > 0.99, "{}", run.coverage);
 }
@@ -160,6 +160,6 @@ fn a_quadrotor_that_cannot_be_flown_ends_its_exploration_in_words() {
     ] {
         let site = flown_by("corridors", "quadrotor", &[gains, &["duration_s=300"]].concat());
         let run = summary(&site, 1);
-        assert!([Stopped::Time, Stopped::Explored].contains(&run.stopped), "{gains:?}: {run:?}");
+        assert!([Some(Stopped::Time), Some(Stopped::Explored)].contains(&run.stopped), "{gains:?}: {run:?}");
     }
 }

@@ -55,7 +55,7 @@ fn a_failed_run_is_a_row_with_its_reason_and_leaves_a_recording_if_asked() {
     let text = stdout(&report);
     assert!(text.contains("- failed: 3\n"), "{text}");
     assert!(text.contains("| 2 | 0 | not flown: --vary chain.spacing_m=0.05: "), "{text}");
-    assert!(text.contains("| 1 | 2 | completed; the head failed at 5.00 s"), "{text}");
+    assert!(text.contains("| 1 | 2 | head-failed | the head failed at 5.00 s"), "{text}");
     let recordings = files(&here.path().join("a/recordings"));
     assert_eq!(recordings, [here.path().join("a/recordings/run-00000002.mcap")]);
     ok(uchain(here.path(), &["verify", "a/recordings/run-00000002.mcap"]));

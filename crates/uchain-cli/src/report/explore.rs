@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use uchain_sim::analyse::explore::ExploreSummary;
 
-use super::Report;
+use super::{Report, outcome};
 
 /// Most robots of which each is listed.
 const EACH_MAX: usize = 12;
@@ -37,7 +37,7 @@ impl Report<'_, ExploreSummary> {
             let [least, mean, most] = spread(&n.iter().map(|&n| f64::from(n)).collect::<Vec<_>>());
             format!("{least} to {most} (mean {mean:.1})")
         };
-        line("outcome", &summary.outcome);
+        line("outcome", &outcome(&summary.verdict));
         line(
             "iterations",
             &format!(

@@ -5,7 +5,7 @@ mod explore;
 use std::fmt::Write as _;
 
 use serde::Serialize;
-use uchain_sim::analyse::Summary;
+use uchain_sim::analyse::{Summary, Verdict};
 
 /// `summary.json`, and what `--json` prints: of a chain or of an exploration.
 #[derive(Debug, Serialize)]
@@ -48,9 +48,7 @@ impl Report<'_, Summary> {
             1 => "1 UAV".to_owned(),
             n => format!("{n} UAVs"),
         };
-        if summary.outcome != "completed" {
-            line("outcome", &summary.outcome);
-        }
+        line("outcome", &outcome(&summary.verdict));
         line("reach", &format!("{:.2} m, {in_the_air} in the air", summary.head_reach_m));
         for (i, link) in summary.links.iter().enumerate().take(LINKS_SHOWN) {
             let to =
@@ -83,6 +81,11 @@ impl Report<'_, Summary> {
         line("files", files);
         text
     }
+}
+
+/// The word and the words.
+fn outcome(verdict: &Verdict) -> String {
+    format!("{}: {verdict}", verdict.outcome().word())
 }
 
 /// Relays and worst link against the optimum.

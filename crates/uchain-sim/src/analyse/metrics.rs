@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use glam::Vec2;
 
-use super::{LinkSummary, Summary};
+use super::{Break, LinkSummary, Outcome, Summary, Verdict};
 use crate::{
     config::Course,
-    record::{Frame, LinkFrame, RecordError, Recorder, spread_db},
+    record::{Frame, LinkFrame, RecordError, Recorder, TICKS_PER_S, spread_db},
 };
 
 /// Losses within this of each other count as converged in an exploration (dB).
@@ -85,7 +85,7 @@ impl<'a> Metrics<'a> {
             scenario: self.course.scenario.name.clone(),
             seed,
             sim_s: self.time_s,
-            outcome: self.outcome(),
+            verdict: self.verdict(),
             launches_s: self.launches_s.clone(),
             uavs: self.uavs(),
             relays_used: self.airborne.iter().skip(1).filter(|airborne| **airborne).count(),
@@ -113,22 +113,38 @@ impl<'a> Metrics<'a> {
         self.airborne.first().is_some_and(|airborne| *airborne)
     }
 
-    fn outcome(&self) -> String {
-        let mut words = vec!["completed".to_owned()];
-        words.extend(self.down.iter().map(|(uav, time_s)| match uav {
-            0 => format!("the head failed at {time_s:.2} s"),
-            _ => format!("UAV {uav} failed at {time_s:.2} s"),
-        }));
+    fn verdict(&self) -> Verdict {
+        let mut found = Vec::new();
+        let mut remarks = Vec::new();
+        // Whole ticks: both are multiples of one.
+        if self.time_s + 0.5 / TICKS_PER_S < self.duration_s {
+            found.push(Outcome::Interrupted { at_s: self.time_s, of_s: Some(self.duration_s) });
+        }
+        for &(uav, at_s) in &self.down {
+            match uav {
+                0 => found.push(Outcome::HeadFailed { at_s }),
+                _ => remarks.push(format!("UAV {uav} failed at {at_s:.2} s")),
+            }
+        }
+        if self.launches_s.is_empty() {
+            found.push(Outcome::NeverFlew);
+        }
         let links = self.at_the_end.last().map_or(&[][..], Vec::as_slice);
-        if self.uavs() == 0 {
-            words.push("nobody was in the air at the end".to_owned());
-        } else if self.head_flies() && links.first().is_some_and(|link| link.filtered_db.is_none()) {
-            words.push("the head never heard anybody".to_owned());
+        let limit_db = self.limit_db;
+        let broken = links.iter().filter(|link| link.true_db >= limit_db).count();
+        let whole = Outcome::Completed {
+            way: None,
+            links: links.len(),
+            worst_db: links.iter().map(|link| link.true_db).max_by(f32::total_cmp),
+            s_min_db: self.course.scenario.takeoff.s_min_db,
+        };
+        let broken_link = |uav, cause| Outcome::ChainBroken { broken, links: links.len(), uav, cause };
+        if self.head_flies() && links.first().is_some_and(|link| link.filtered_db.is_none()) {
+            found.push(broken_link(0, Break::Silent { is_front: true, silent_s: None }));
+        } else if let Some(link) = links.iter().find(|link| link.true_db >= limit_db) {
+            found.push(broken_link(link.uav, Break::Loss { loss_db: link.true_db, limit_db }));
         }
-        if links.iter().any(|link| link.true_db >= self.limit_db) {
-            words.push("the chain was broken at the end".to_owned());
-        }
-        words.join("; ")
+        Verdict::new(whole, found, remarks)
     }
 
     /// Who has left the ground and who has come down since the last frame.

@@ -5,6 +5,7 @@ mod digest;
 pub mod explore;
 mod metrics;
 pub mod optimum;
+mod outcome;
 mod plan;
 #[cfg(feature = "sweep")]
 mod significance;
@@ -16,6 +17,7 @@ mod timeline;
 pub use compare::{Compare, Comparison, Difference, Value, Whose};
 pub use digest::Digest;
 pub use metrics::Metrics;
+pub use outcome::{Break, Outcome, Over, Verdict, Way};
 pub use plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan};
 #[cfg(feature = "sweep")]
 pub use significance::{Tendency, is_less_in_pairs, is_rarer_in_pairs, saved_percent, tends_to_be_less};

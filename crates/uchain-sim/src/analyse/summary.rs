@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::Verdict;
+
 /// One link of the flying chain at the end of a run: medians over the last 10 s.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LinkSummary {
@@ -22,8 +24,9 @@ pub struct Summary {
     pub seed: u64,
     /// Simulated time (s).
     pub sim_s: f64,
-    /// How the run went, in words: completed, who failed and when, whether the chain was whole at the end.
-    pub outcome: String,
+    /// What was asked and what came; in files the two fields `outcome`, a word, and `verdict`, words with numbers.
+    #[serde(flatten)]
+    pub verdict: Verdict,
     /// Take-off times (s), in order; the head's is the first.
     pub launches_s: Vec<f64>,
     /// UAVs in the air at the end.

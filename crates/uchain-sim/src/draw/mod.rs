@@ -131,21 +131,15 @@ fn wrapped(text: &str, longest: usize) -> Vec<String> {
 
 fn headline(summary: &Summary) -> String {
     use std::fmt::Write as _;
-    let mut line = format!(
-        "{}, seed {}: head reached {:.1} m with {} UAV{}",
-        summary.scenario,
-        summary.seed,
-        summary.head_reach_m,
-        summary.uavs,
-        if summary.uavs == 1 { "" } else { "s" },
-    );
+    let Summary { scenario, seed, verdict, .. } = summary;
+    let mut line = format!("{scenario}, seed {seed}: {}: {verdict}", verdict.outcome().word());
     if let Some(spread_db) = summary.spread_db {
         // Writing to a String cannot fail.
-        let _ = write!(line, ", spread {spread_db:.1} dB at the end");
+        let _ = write!(line, "; spread {spread_db:.1} dB at the end");
     }
     let contacts = summary.wall_contacts + summary.uav_contacts;
     if contacts > 0 {
-        let _ = write!(line, ", {contacts} contact{}", if contacts == 1 { "" } else { "s" });
+        let _ = write!(line, "; {contacts} contact{}", if contacts == 1 { "" } else { "s" });
     }
     line
 }

@@ -1,6 +1,6 @@
 use super::*;
 use crate::{
-    analyse::LinkSummary,
+    analyse::{LinkSummary, Outcome, Verdict},
     config::builtin,
     record::{Frame, LinkFrame, UavFrame},
 };
@@ -49,7 +49,7 @@ fn flight(course: &Course, seconds: u64) -> (History, Summary) {
         scenario: course.scenario.name.clone(),
         seed: 1,
         sim_s: seconds as f64,
-        outcome: "completed".to_owned(),
+        verdict: Verdict::new(Outcome::NeverFlew, Vec::new(), Vec::new()),
         launches_s: (0..flown).map(|i| 12.0 * i as f64).collect(),
         uavs: flown,
         relays_used: flown.saturating_sub(1),

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::{Run, Sweep};
 use crate::{
-    analyse::{Summary, explore::ExploreSummary},
+    analyse::{Summary, Verdict, explore::ExploreSummary},
     config::{ConfigError, Mission},
     record::{ExploreFrame, Frame, Recorder},
     run::{RunError, explore, run},
@@ -34,6 +34,14 @@ pub enum Flown {
 }
 
 impl Flown {
+    /// What was found out about how it went.
+    pub fn verdict(&self) -> &Verdict {
+        match self {
+            Self::Chain(summary) => &summary.verdict,
+            Self::Explore(summary) => &summary.verdict,
+        }
+    }
+
     /// The run's digest.
     pub fn digest(&self) -> &str {
         match self {

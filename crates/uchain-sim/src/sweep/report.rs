@@ -3,7 +3,7 @@
 use super::{
     Cell, Column, Kind, Sweep,
     folder::{Folder, FolderError},
-    row::FAILED,
+    row::{FAILED, VERDICT},
 };
 use crate::analyse::Estimate;
 
@@ -26,8 +26,10 @@ pub struct Metric {
 /// A reason for which runs failed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Reason {
-    /// In words.
+    /// The outcome's word; of a run that was not flown, why not.
     pub words: String,
+    /// The words with the numbers of the first of them, if it was flown.
+    pub verdict: Option<String>,
     /// How many runs.
     pub runs: u64,
     /// The first of them.
@@ -128,13 +130,23 @@ pub fn failures(folder: &Folder, sweep: &Sweep) -> Result<Failures, FolderError>
                 reason.runs += 1;
             } else if failures.reasons.len() < REASONS_MAX {
                 let first = variant * replicates + replicate as u64;
-                failures.reasons.push(Reason { words: words.to_owned(), runs: 1, first });
+                failures.reasons.push(Reason { words: words.to_owned(), verdict: None, runs: 1, first });
             } else {
                 failures.others += 1;
             }
         }
         if failures.cells.len() < CELLS_MAX {
             failures.cells.push(failed);
+        }
+        Ok::<(), FolderError>(())
+    })?;
+    let Some(column) = sweep.columns().into_iter().find(|column| column.name == VERDICT) else {
+        return Ok(failures);
+    };
+    each_variant(folder, &column, |variant, cells| {
+        for reason in failures.reasons.iter_mut().filter(|reason| reason.first / replicates == variant) {
+            let first = cells.get((reason.first % replicates) as usize);
+            reason.verdict = first.and_then(Cell::text).map(str::to_owned);
         }
         Ok::<(), FolderError>(())
     })?;

@@ -2,16 +2,13 @@
 //! length from run to run stay lists; what a report needs of them stands beside them.
 
 use super::{Cell, Column, Flown, Kind, Run, Sweep, axis::ValueKind};
-use crate::{
-    analyse::{LinkSummary, Summary, explore::ExploreSummary},
-    record::Stopped,
-};
+use crate::analyse::{LinkSummary, Summary, explore::ExploreSummary};
 
 /// A result: its name, what it is, and where it is found.
 type Field<S> = (&'static str, Kind, fn(&S) -> Cell);
 
 /// What a chain came to.
-const CHAIN: [Field<Summary>; 19] = [
+const CHAIN: [Field<Summary>; 20] = [
     ("sim_s", Kind::Number, |s| s.sim_s.into()),
     ("launches_s", Kind::Numbers, |s| Cell::list(s.launches_s.iter().copied())),
     ("launches", Kind::Count, |s| s.launches_s.len().into()),
@@ -29,7 +26,8 @@ const CHAIN: [Field<Summary>; 19] = [
     ("uav_contacts", Kind::Count, |s| s.uav_contacts.into()),
     ("connected_fraction", Kind::Number, |s| s.connected_fraction.into()),
     ("head_reach_m", Kind::Single, |s| s.head_reach_m.into()),
-    ("outcome", Kind::Text, |s| s.outcome.as_str().into()),
+    ("outcome", Kind::Text, |s| s.verdict.outcome().word().into()),
+    (VERDICT, Kind::Text, |s| s.verdict.to_string().as_str().into()),
     ("digest", Kind::Text, |s| s.digest.as_str().into()),
 ];
 
@@ -38,7 +36,6 @@ const EXPLORE: [Field<ExploreSummary>; 33] = [
     ("strategy", Kind::Text, |s| word(&s.strategy)),
     ("vehicle", Kind::Text, |s| word(&s.vehicle)),
     ("robots", Kind::Count, |s| u32::from(s.robots).into()),
-    ("stopped", Kind::Text, |s| word(&s.stopped)),
     ("sim_s", Kind::Number, |s| s.sim_s.into()),
     ("iterations", Kind::Count, |s| s.iterations.into()),
     ("moves", Kind::Numbers, |s| Cell::list(s.moves.iter().copied())),
@@ -66,15 +63,18 @@ const EXPLORE: [Field<ExploreSummary>; 33] = [
     ("downwash_total_s", Kind::Number, |s| s.downwash_s.iter().sum::<f64>().into()),
     ("moves_total", Kind::Count, |s| s.moves.iter().sum::<u32>().into()),
     ("holds_total", Kind::Count, |s| s.holds.iter().sum::<u32>().into()),
-    ("outcome", Kind::Text, |s| s.outcome.as_str().into()),
+    ("outcome", Kind::Text, |s| s.verdict.outcome().word().into()),
+    (VERDICT, Kind::Text, |s| s.verdict.to_string().as_str().into()),
     ("digest", Kind::Text, |s| s.digest.as_str().into()),
 ];
 
 /// Columns before those of the design.
 const RUN: [(&str, Kind); 4] =
     [("run", Kind::Count), ("variant", Kind::Count), ("replicate", Kind::Count), ("seed", Kind::Count)];
-/// Why a run failed; absent if it did not.
+/// Why a run failed: its outcome's word, or why it was not flown; absent if it did not fail.
 pub(super) const FAILED: &str = "failed";
+/// What a run came to, in words with numbers.
+pub(super) const VERDICT: &str = "verdict";
 
 fn filtered_db(link: &LinkSummary) -> f32 {
     link.filtered_db.unwrap_or(f32::NAN)
@@ -88,14 +88,10 @@ fn word(choice: &impl serde::Serialize) -> Cell {
     }
 }
 
-/// Why a run that came to an end still failed its mission.
+/// How a run that came to an end still failed its mission: its outcome's word.
 fn failure(flown: &Flown) -> Option<&str> {
-    match flown {
-        Flown::Chain(summary) => (summary.outcome != "completed").then_some(summary.outcome.as_str()),
-        Flown::Explore(summary) => {
-            matches!(summary.stopped, Stopped::Stuck | Stopped::Time).then_some(summary.outcome.as_str())
-        }
-    }
+    let outcome = flown.verdict().outcome();
+    (!outcome.is_success()).then(|| outcome.word())
 }
 
 /// Whether what became of a run is a failure: it was not flown to its end, or its mission failed.

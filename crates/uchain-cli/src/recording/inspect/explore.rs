@@ -39,12 +39,9 @@ pub(super) fn inspect(
     let site = recording.site().map_err(|cause| Failure::Recording { file: asked.file.clone(), cause })?;
     let (mut history, mut timeline) = (ExploreHistory::default(), ExploreTimeline::new(MOMENTS));
     let summary = recording.summary(&site, &mut (&mut history, &mut timeline));
-    let (mut summary, survey) = summary.map_err(|cause| Failure::played(&asked.file, cause))?;
+    let (summary, survey) = summary.map_err(|cause| Failure::played(&asked.file, cause))?;
     let progress = timeline.into_rounds();
     let whole = recording.frames.end() == Some(End::Whole);
-    if !whole {
-        summary.outcome = format!("unknown: recorded for {:.2} s", summary.sim_s);
-    }
     let version = &recording.about.version;
     let report = || Report::new(&summary, None, version);
     let inspected =

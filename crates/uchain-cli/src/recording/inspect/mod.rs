@@ -52,12 +52,8 @@ fn chain(asked: &Inspect, mut recording: Recording<impl Read>) -> Result<(), Fai
     let mut watch = Watch::new(course.spawns.len(), of_ticks, false);
     let mut timeline = Timeline::new(MOMENTS, limit_db);
     let summary = recording.summary(&course, &mut (&mut watch, &mut timeline));
-    let mut summary = summary.map_err(|cause| Failure::played(&asked.file, cause))?;
+    let summary = summary.map_err(|cause| Failure::played(&asked.file, cause))?;
     let ticks = recording.frames.tick();
-    if ticks < of_ticks {
-        let early = format!("ended early, after {:.2} s of {} s", summary.sim_s, course.scenario.duration_s);
-        summary.outcome = summary.outcome.replacen("completed", &early, 1);
-    }
 
     let moments = timeline.into_moments();
     let whole = recording.frames.end() == Some(End::Whole);

@@ -61,12 +61,13 @@ pub(super) fn write(
 }
 
 fn failed(text: &mut String, failures: &Failures, replicates: u64) {
-    text.push_str("\n## Failed\n\n| runs | first | reason |\n|---:|---:|---|\n");
+    text.push_str("\n## Failed\n\n| runs | first | outcome | the first |\n|---:|---:|---|---|\n");
     for reason in &failures.reasons {
-        let _ = writeln!(text, "| {} | {} | {} |", reason.runs, reason.first, cell(&reason.words));
+        let (outcome, verdict) = (cell(&reason.words), cell(reason.verdict.as_deref().unwrap_or_default()));
+        let _ = writeln!(text, "| {} | {} | {outcome} | {verdict} |", reason.runs, reason.first);
     }
     if failures.others > 0 {
-        let _ = writeln!(text, "| {} | | other reasons |", failures.others);
+        let _ = writeln!(text, "| {} | | other outcomes | |", failures.others);
     }
     let _ = writeln!(text, "\nRun i is replicate i % {replicates} of variant i / {replicates}.");
 }

@@ -4,6 +4,7 @@ use glam::{DVec3, Vec2};
 
 use super::{Coverage, ExploreSummary, gaps::Gaps};
 use crate::{
+    analyse::{Outcome, Verdict},
     config::Site,
     record::{ExploreFrame, RecordError, Recorder, RobotFrame, Stopped, TICKS_PER_S},
 };
@@ -23,7 +24,7 @@ pub struct ExploreMetrics<'a> {
     rounds: u32,
     mfl_ticks: u64,
     time_s: f64,
-    stopped: Stopped,
+    stopped: Option<Stopped>,
 }
 
 /// What one robot has flown.
@@ -68,7 +69,7 @@ impl<'a> ExploreMetrics<'a> {
             rounds: 0,
             mfl_ticks: 0,
             time_s: 0.0,
-            stopped: Stopped::Time,
+            stopped: None,
         }
     }
 
@@ -96,7 +97,7 @@ impl<'a> ExploreMetrics<'a> {
             robots: scenario.team.robots,
             vehicle: scenario.team.vehicle,
             stopped: self.stopped,
-            outcome: self.stopped.words().to_owned(),
+            verdict: self.verdict(coverage),
             sim_s: self.time_s,
             iterations: self.rounds,
             moves: self.robots.iter().map(|robot| robot.moves).collect(),
@@ -124,6 +125,20 @@ impl<'a> ExploreMetrics<'a> {
             digest,
         };
         (summary, Survey { curve: self.curve, coverage: self.coverage })
+    }
+
+    /// What came, of all that could be reached.
+    fn verdict(&self, seen: f64) -> Verdict {
+        let (hubs, at_s, after_s) = (self.hubs, self.time_s, self.site.scenario.duration_s);
+        let found = match self.stopped {
+            None => Some(Outcome::Interrupted { at_s, of_s: None }),
+            Some(Stopped::Explored) => None,
+            Some(Stopped::Unreachable) => Some(Outcome::Unreachable { seen, hubs }),
+            Some(Stopped::Full) => Some(Outcome::Full { seen, hubs }),
+            Some(Stopped::Stuck) => Some(Outcome::Stuck { seen, at_s }),
+            Some(Stopped::Time) => Some(Outcome::TimeUp { seen, after_s }),
+        };
+        Verdict::new(Outcome::Explored { seen }, found.into_iter().collect(), Vec::new())
     }
 
     fn decision(&mut self, frame: &ExploreFrame) {
@@ -183,9 +198,7 @@ impl Recorder<ExploreFrame> for ExploreMetrics<'_> {
         } else {
             frame.time_s()
         };
-        if let Some(stopped) = frame.stopped {
-            self.stopped = stopped;
-        }
+        self.stopped = frame.stopped;
         Ok(())
     }
 }

@@ -4,7 +4,7 @@ use serde::Serialize;
 use uchain_core::explore::Strategy;
 
 use super::{Gap, Unseen};
-use crate::{config::VehicleKind, record::Stopped};
+use crate::{analyse::Verdict, config::VehicleKind, record::Stopped};
 
 /// What one exploration came to. A function of (scenario, seed): nothing here is measured by a clock.
 ///
@@ -22,10 +22,12 @@ pub struct ExploreSummary {
     pub robots: u16,
     /// What flew.
     pub vehicle: VehicleKind,
-    /// Why it ended.
-    pub stopped: Stopped,
-    /// The same in words.
-    pub outcome: String,
+    /// Why it ended, which in files the outcome says; `None` of one that is known up to somewhere in the middle.
+    #[serde(skip)]
+    pub stopped: Option<Stopped>,
+    /// What was asked and what came; in files the two fields `outcome`, a word, and `verdict`, words with numbers.
+    #[serde(flatten)]
+    pub verdict: Verdict,
     /// Simulated time until all were home, or it ended otherwise (s).
     pub sim_s: f64,
     /// Rounds, homing included (Kim 2021, §7.2).

@@ -10,9 +10,9 @@ use kuva::render::render::Scene;
 use uchain_core::bounded;
 
 use super::{
-    DrawError, Picture,
+    DrawError, LINE, LONGEST_HEADLINE, Picture,
     panel::{self, BOX_WIDTH, FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE},
-    raster,
+    raster, wrapped,
 };
 use crate::{
     analyse::explore::{ExploreHistory, ExploreSummary, Survey},
@@ -66,12 +66,16 @@ pub fn explore_picture(
 
 impl Sheet<'_> {
     fn scene(&self) -> Scene {
-        let above = self.panel(64.0);
+        let lines = wrapped(&headline(self.summary), LONGEST_HEADLINE);
+        let more = LINE * lines.len().saturating_sub(1) as f64;
+        let above = self.panel(64.0 + more);
         let middle = self.panel(above.bottom() + 52.0);
         let below = self.time_panel(middle.bottom() + 58.0);
         let mut scene = Scene::new(FIGURE_WIDTH, below.bottom() + 44.0);
-        panel::text(&mut scene, (above.left(), 20.0), TEXT_LARGE, &headline(self.summary));
-        panel::text(&mut scene, (above.left(), 38.0), TEXT_LABEL, &self.figures());
+        for (i, line) in lines.iter().enumerate() {
+            panel::text(&mut scene, (above.left(), 20.0 + LINE * i as f64), TEXT_LARGE, line);
+        }
+        panel::text(&mut scene, (above.left(), 38.0 + more), TEXT_LABEL, &self.figures());
         self.draw_stars(&mut scene, &above);
         self.draw_graph(&mut scene, &middle);
         self.draw_time(&mut scene, &below);
@@ -114,8 +118,8 @@ impl Sheet<'_> {
 }
 
 fn headline(summary: &ExploreSummary) -> String {
-    let ExploreSummary { scenario, seed, robots, outcome, strategy, .. } = summary;
+    let ExploreSummary { scenario, seed, robots, verdict, strategy, .. } = summary;
     let s = if *robots == 1 { "" } else { "s" };
-    let strategy = strategy.word();
-    format!("{scenario}, seed {seed}, {strategy}, {robots} robot{s}: {outcome}")
+    let (strategy, word) = (strategy.word(), verdict.outcome().word());
+    format!("{scenario}, seed {seed}, {strategy}, {robots} robot{s}: {word}: {verdict}")
 }

@@ -43,7 +43,6 @@ fn after(site: &Site, seed: u64, rounds: u32) -> Result<Picture, PaperError> {
     let (mut summary, survey) = metrics.finish(seed, String::new());
     if last.is_none() {
         summary.iterations = rounds;
-        summary.outcome = format!("after {rounds} iterations");
         for share in [&mut summary.coverage_t50_s, &mut summary.coverage_t90_s, &mut summary.coverage_t100_s]
         {
             *share = f64::NAN;
@@ -60,7 +59,7 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
         .flatten()
         .collect();
     let rounds: Vec<f64> = flown.iter().map(|run| run.iterations.into()).collect();
-    let home = flown.iter().filter(|run| run.stopped == Stopped::Explored).count();
+    let home = flown.iter().filter(|run| run.stopped == Some(Stopped::Explored)).count();
     let (low, high) = rounds.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), r| (l.min(*r), h.max(*r)));
     let mut table = Table::new("fig9", &["replicate", "iterations", "distance_mean_m", "coverage"]);
     for (replicate, run) in flown.iter().enumerate() {
