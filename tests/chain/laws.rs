@@ -265,7 +265,7 @@ proptest! {
 
     #[test]
     fn centering_is_finite_and_within_its_limits(tof in any_tof(), backward in any::<bool>()) {
-        for law in [CenterLaw::Paper, CenterLaw::Firmware] {
+        for law in [CenterLaw::Wall, CenterLaw::Paper, CenterLaw::Firmware] {
             let params = CenterParams { law, ..CenterParams::default() };
             for follow in [Follow::Centre, Follow::Left, Follow::Right] {
                 let c = center(&tof, TOF_RANGE_M, backward, follow, &params);

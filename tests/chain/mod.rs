@@ -2,6 +2,8 @@
 
 /// Every promise of a law holds in the world it flies in.
 mod centering;
+/// Heads come round the corners of the shipped scenarios.
+mod corners;
 /// On maps of kilometres a run is what it is on small ones.
 mod far;
 /// What is left out for speed changes no bit.

@@ -195,6 +195,6 @@ fn an_explanation_says_who_writes_the_key() {
         (pairs(&found.presets), pairs(&found.scenarios))
     };
     assert_eq!(written("v_max_mps").0, ["cavemod 0.3", "frontiers2021 0.375"]);
-    assert_eq!(written("wall_distance_m").1, ["stata 0.8"]);
+    assert_eq!(written("follow_distance_m").1, ["stata 0.8"]);
     assert!(written("speed_mps").1.contains(&"corner 0.2, 0.0".to_owned()));
 }
