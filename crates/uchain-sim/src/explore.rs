@@ -192,7 +192,7 @@ impl<'a> Exploration<'a> {
             }
             frame.labels.extend_from_slice(&news.labels);
             frame.edges.extend_from_slice(&news.edges);
-            frame.hubs = whole.hubs().count() as u32;
+            frame.hubs = whole.hub_count() as u32;
         }
         let contacts = self.fleet.contacts();
         for ((robot, body), met) in frame.robots.iter_mut().zip(self.fleet.now()).zip(contacts) {

@@ -7,6 +7,9 @@ use crate::{map::Map, record::TICK_S};
 /// Overlap of bodies that still counts as none (m): what `f32` makes of distances in a map.
 const TOUCH_M: f32 = 1e-4;
 
+/// How much farther apart than in touch robots are listed as near (m).
+const SKIN_M: f32 = 0.5;
+
 /// A place to fly to, and how to be there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Waypoint {
@@ -96,8 +99,12 @@ pub struct Fleet<'a> {
     r_body_m: f32,
     vehicles: Vec<Box<dyn Vehicle>>,
     touch: Vec<Touch>,
-    /// Pairs of robots in touch, lower index first, and whether they are to be at one height.
+    /// Pairs of robots in touch, lower index first, and whether they are to be at one height; in order.
     pairs: Vec<([usize; 2], bool)>,
+    /// Pairs that may touch before they are listed again, in order.
+    near: Vec<[usize; 2]>,
+    /// By how much any two robots may still come nearer to each other before that (m).
+    slack_m: f32,
 }
 
 /// What one robot touches.
@@ -128,7 +135,8 @@ impl<'a> Fleet<'a> {
     pub fn new(map: &'a Map, r_body_m: f32, vehicles: Vec<Box<dyn Vehicle>>) -> Self {
         let touch: Vec<Touch> =
             vehicles.iter().map(|body| Touch { level_m: body.now().z_m, ..Touch::default() }).collect();
-        let mut fleet = Self { map, r_body_m, vehicles, touch, pairs: Vec::new() };
+        let mut fleet =
+            Self { map, r_body_m, vehicles, touch, pairs: Vec::new(), near: Vec::new(), slack_m: -1.0 };
         fleet.feel();
         fleet
     }
@@ -172,9 +180,12 @@ impl<'a> Fleet<'a> {
     /// A robot is a ball. It touches a wall, which goes up to the ceiling, nearer than its radius.
     fn feel(&mut self) {
         let now: Vec<Waypoint> = self.now().collect();
+        let mut longest_m: f32 = 0.0;
         for (i, here) in now.iter().enumerate() {
             let touch = &mut self.touch[i];
-            touch.room_m -= here.at.distance(touch.last);
+            let flown_m = here.at.distance(touch.last);
+            longest_m = longest_m.max(flown_m);
+            touch.room_m -= flown_m;
             touch.last = here.at;
             if touch.room_m <= 0.0 {
                 touch.room_m = self.map.clearance_m(here.at) - self.r_body_m + TOUCH_M;
@@ -183,31 +194,60 @@ impl<'a> Fleet<'a> {
                 touch.at_wall = at_wall;
             }
         }
-        let before = std::mem::take(&mut self.pairs);
+        self.meet(&now, longest_m);
+    }
+
+    /// Pairs of robots that touch, after a tick in which none flew farther than `longest_m`.
+    fn meet(&mut self, now: &[Waypoint], longest_m: f32) {
         let near_m = 2.0 * self.r_body_m - TOUCH_M;
-        for (j, b) in now.iter().enumerate() {
-            for (i, a) in now.iter().enumerate().take(j) {
-                let (over2, up) = (a.at.distance_squared(b.at), a.z_m - b.z_m);
-                let one_level = self.touch[i].level_m == self.touch[j].level_m;
-                if over2 + if one_level { 0.0 } else { up * up } >= near_m * near_m {
-                    continue;
-                }
-                if !before.contains(&([i, j], one_level)) {
-                    for robot in [i, j] {
-                        let met = &mut self.touch[robot].met;
-                        *(if one_level { &mut met.robots } else { &mut met.passes }) += 1;
-                    }
-                }
-                self.pairs.push(([i, j], one_level));
+        self.slack_m -= 2.0 * longest_m;
+        if self.slack_m <= 0.0 {
+            self.near = nearer_than(now, near_m + SKIN_M);
+            // Less what rounding may make of distances.
+            self.slack_m = 0.99 * SKIN_M;
+        }
+        let before = std::mem::take(&mut self.pairs);
+        for &[i, j] in &self.near {
+            let (a, b) = (now[i], now[j]);
+            let (over2, up) = (a.at.distance_squared(b.at), a.z_m - b.z_m);
+            let one_level = self.touch[i].level_m == self.touch[j].level_m;
+            if over2 + if one_level { 0.0 } else { up * up } >= near_m * near_m {
+                continue;
             }
+            if before.binary_search(&([i, j], one_level)).is_err() {
+                for robot in [i, j] {
+                    let met = &mut self.touch[robot].met;
+                    *(if one_level { &mut met.robots } else { &mut met.passes }) += 1;
+                }
+            }
+            self.pairs.push(([i, j], one_level));
         }
     }
+}
+
+/// Pairs of places nearer to each other over ground than so much, lower index first, in order. Places are swept from
+/// west to east.
+fn nearer_than(places: &[Waypoint], reach_m: f32) -> Vec<[usize; 2]> {
+    let mut eastward: Vec<usize> = (0..places.len()).collect();
+    eastward.sort_unstable_by(|&i, &j| places[i].at.x.total_cmp(&places[j].at.x));
+    let mut pairs = Vec::new();
+    for (k, &i) in eastward.iter().enumerate() {
+        let from = places[i].at;
+        let in_reach = eastward[k + 1..].iter().take_while(|&&j| places[j].at.x - from.x < reach_m);
+        let near = in_reach.filter(|&&j| places[j].at.distance_squared(from) < reach_m * reach_m);
+        pairs.extend(near.map(|&j| [i.min(j), i.max(j)]));
+    }
+    pairs.sort_unstable();
+    pairs
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::drawn;
+    use crate::{
+        map::drawn,
+        seed::{Seed, Source},
+    };
 
     fn at(x: f32, y: f32, z_m: f32) -> Waypoint {
         Waypoint { at: Vec2::new(x, y), z_m, heading_rad: 0.0 }
@@ -258,5 +298,77 @@ mod tests {
             [Touches { walls: 1, ..Touches::default() }]
         );
         assert_eq!(fly(&[at(1.0, 0.0, 1.0)], &[at(1.9, 0.5, 1.0)]).1, [Touches::default()]);
+    }
+
+    /// Contacts as all pairs looked at in every tick have them.
+    #[derive(Default)]
+    struct AllPairs {
+        pairs: Vec<([usize; 2], bool)>,
+        met: Vec<(u32, u32)>,
+    }
+
+    impl AllPairs {
+        fn feel(&mut self, now: &[Waypoint], levels_m: &[f32], near_m: f32) {
+            self.met.resize(now.len(), (0, 0));
+            let before = std::mem::take(&mut self.pairs);
+            for (j, b) in now.iter().enumerate() {
+                for (i, a) in now.iter().enumerate().take(j) {
+                    let (over2, up) = (a.at.distance_squared(b.at), a.z_m - b.z_m);
+                    let one_level = levels_m[i] == levels_m[j];
+                    if over2 + if one_level { 0.0 } else { up * up } >= near_m * near_m {
+                        continue;
+                    }
+                    if !before.contains(&([i, j], one_level)) {
+                        for robot in [i, j] {
+                            let (robots, passes) = &mut self.met[robot];
+                            *(if one_level { robots } else { passes }) += 1;
+                        }
+                    }
+                    self.pairs.push(([i, j], one_level));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn contacts_are_those_that_all_pairs_in_every_tick_have() {
+        let map = drawn(&[vec![[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]]]).unwrap();
+        let mut total = (0, 0);
+        for seed in 0..6 {
+            let mut random = Seed(seed).stream(0, Source::Start);
+            let count = 25;
+            let spread_m = [1.0, 4.0][(seed % 2) as usize];
+            let mut place = || {
+                let level = (3.0 * random.uniform()) as i32 as f32;
+                at(
+                    spread_m * (random.uniform() - 0.5),
+                    spread_m * (random.uniform() - 0.5),
+                    0.5 + 0.5 * level,
+                )
+            };
+            let starts: Vec<Waypoint> = (0..count).map(|_| place()).collect();
+            let body = |&start: &Waypoint| Box::new(PointMass::new(start, 0.5, 0.5)) as Box<dyn Vehicle>;
+            let mut fleet = Fleet::new(&map, 0.1, starts.iter().map(body).collect());
+            let mut levels_m: Vec<f32> = starts.iter().map(|start| start.z_m).collect();
+            let mut oracle = AllPairs::default();
+            let near_m = 2.0 * 0.1 - TOUCH_M;
+            oracle.feel(&starts, &levels_m, near_m);
+            for tick in 0..400 {
+                if tick % 40 == 0 {
+                    for (i, level_m) in levels_m.iter_mut().enumerate() {
+                        let to = place();
+                        fleet.fly_to(i, to);
+                        *level_m = to.z_m;
+                    }
+                }
+                fleet.advance();
+                let now: Vec<Waypoint> = fleet.now().collect();
+                oracle.feel(&now, &levels_m, near_m);
+                let met: Vec<(u32, u32)> = fleet.contacts().map(|met| (met.robots, met.passes)).collect();
+                assert_eq!(met, oracle.met, "seed {seed}, tick {tick}");
+            }
+            total = oracle.met.iter().fold(total, |sum, met| (sum.0 + met.0, sum.1 + met.1));
+        }
+        assert!(total.0 > 100 && total.1 > 100, "{total:?}");
     }
 }

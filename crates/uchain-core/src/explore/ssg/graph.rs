@@ -56,6 +56,16 @@ impl Graph {
         self.to.len() / 2
     }
 
+    /// The ends of the edges after the first so many, in the order in which they came.
+    pub fn edges_after(&self, count: usize) -> impl Iterator<Item = [usize; 2]> + '_ {
+        let arcs = self.to.get(2 * count.min(self.edges())..).unwrap_or_default();
+        // An edge is two arcs, there and back.
+        arcs.chunks_exact(2).filter_map(|arcs| match *arcs {
+            [there, back] => Some([back as usize, there as usize]),
+            _ => None,
+        })
+    }
+
     /// Connects two nodes; nothing happens if they are one, unknown, connected already or apart by no length.
     pub fn link(&mut self, a: usize, b: usize, length_m: f32) {
         let known = a < self.nodes() && b < self.nodes();

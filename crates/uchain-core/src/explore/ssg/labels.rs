@@ -102,6 +102,9 @@ impl Ssg {
         if let Some(open) = self.open.get_mut(slot * n + k) {
             *open = Open::NONE;
         }
+        if let Some(freed) = &mut self.freed {
+            freed.push((slot as u32, k as u16));
+        }
         node.frontiers = node.frontiers.saturating_sub(1);
         if let Some(hubs) = self.hubs.get_mut(usize::from(node.id.robot)).filter(|_| node.frontiers == 0) {
             *hubs = hubs.saturating_sub(1);

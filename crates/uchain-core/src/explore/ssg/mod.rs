@@ -56,6 +56,8 @@ pub struct Ssg {
     early: Vec<SpentReport>,
     /// Nodes near the one that is added; kept for its memory.
     near: Vec<u32>,
+    /// Frontier arcs that have become free, by slot and sector, until somebody takes them; `None` if nobody asks.
+    freed: Option<Vec<(u32, u16)>>,
 }
 
 /// A node, without its sectors.
@@ -98,6 +100,7 @@ impl Ssg {
             orphans: Vec::new(),
             early: Vec::new(),
             near: Vec::new(),
+            freed: None,
             params,
         })
     }
@@ -176,6 +179,22 @@ impl Ssg {
     /// Whether any node has a frontier.
     pub fn has_hubs(&self) -> bool {
         self.hubs.iter().any(|&hubs| hubs > 0)
+    }
+
+    /// How many nodes have a frontier: as many as [`Ssg::hubs`] shows, without a look at the others.
+    pub fn hub_count(&self) -> usize {
+        self.hubs.iter().map(|&hubs| hubs as usize).sum()
+    }
+
+    /// From now on it notes every frontier arc that becomes free, for [`Ssg::take_freed`].
+    pub fn note_freed(&mut self) {
+        self.freed.get_or_insert_default();
+    }
+
+    /// Slots and sectors of the frontier arcs that have become free since it was last asked, in the order in which they
+    /// did: each arc once. Nothing without [`Ssg::note_freed`].
+    pub fn take_freed(&mut self) -> Vec<(u32, u16)> {
+        self.freed.as_mut().map_or_else(Vec::new, core::mem::take)
     }
 
     /// The hub node data of all robots: a robot's hubs by number, robot after robot.

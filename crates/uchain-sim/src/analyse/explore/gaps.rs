@@ -22,14 +22,28 @@ pub struct Gap {
     pub downwash_s: f64,
 }
 
-/// Watches all pairs.
+/// What rounding may make of distances and of sums of ways (m).
+const ROUNDING_M: f64 = 1e-6;
+/// Pairs that are asked at once whether one of them is due.
+const AT_ONCE: usize = 16;
+
+/// Watches all pairs. A pair is looked at again once its two have flown far enough to come nearer to each other than they
+/// ever were, or into the downwash: of many robots few pairs are due in a tick.
 #[derive(Debug)]
 pub(super) struct Gaps {
     body_m: f64,
     downwash_m: f64,
     pairs: Vec<Pair>,
+    /// By pair, the sum of its two's ways beyond which it is due (m).
+    due_m: Vec<f64>,
+    /// Per robot, its way over ground so far (m).
+    flown_m: Vec<f64>,
+    /// Where robots were in the last tick.
+    at: Vec<DVec3>,
     /// Per robot, ticks in anybody's downwash.
     under: Vec<u64>,
+    /// Who is in one now.
+    is_under: Vec<bool>,
 }
 
 /// The same, while it is counted.
@@ -46,37 +60,79 @@ impl Gaps {
     pub(super) fn new(robots: u16, r_body_m: f32, downwash_m: f32) -> Self {
         let robots = usize::from(robots);
         let far = Pair { least_m: f64::INFINITY, beside_m: f64::INFINITY, below_m: f64::INFINITY, ticks: 0 };
+        let pairs = vec![far; robots * robots.saturating_sub(1) / 2];
         Self {
             body_m: 2.0 * f64::from(r_body_m),
             downwash_m: downwash_m.into(),
-            pairs: vec![far; robots * robots.saturating_sub(1) / 2],
+            due_m: vec![f64::NEG_INFINITY; pairs.len()],
+            pairs,
+            flown_m: vec![0.0; robots],
+            at: Vec::with_capacity(robots),
             under: vec![0; robots],
+            is_under: vec![false; robots],
         }
     }
 
     /// One tick has passed.
     pub(super) fn look(&mut self, robots: &[RobotFrame]) {
-        let place = |robot: &RobotFrame| DVec3::new(robot.x_m.into(), robot.y_m.into(), robot.z_m.into());
-        for (j, under) in self.under.iter_mut().enumerate() {
-            let Some(own) = robots.get(j).map(place) else { return };
-            let is_above = |other: &RobotFrame| {
-                let way = place(other) - own;
-                way.z > self.body_m && way.truncate().length() <= self.downwash_m
-            };
-            *under += u64::from(robots.iter().any(is_above));
+        if robots.len() < self.under.len() {
+            return;
         }
-        let ends = robots.iter().enumerate().flat_map(|(j, b)| robots.iter().take(j).map(move |a| (a, b)));
-        for (pair, (a, b)) in self.pairs.iter_mut().zip(ends) {
-            let way = place(b) - place(a);
-            let (over_m, up_m) = (way.truncate().length(), way.z.abs());
-            pair.least_m = pair.least_m.min(way.length());
-            if up_m <= self.body_m {
-                pair.beside_m = pair.beside_m.min(over_m);
-            } else if over_m <= self.downwash_m {
-                pair.below_m = pair.below_m.min(up_m);
-                pair.ticks += 1;
+        let place = |robot: &RobotFrame| DVec3::new(robot.x_m.into(), robot.y_m.into(), robot.z_m.into());
+        let before = std::mem::take(&mut self.at);
+        self.at.extend(robots.iter().take(self.under.len()).map(place));
+        for ((flown_m, now), was) in self.flown_m.iter_mut().zip(&self.at).zip(&before) {
+            *flown_m += (now - was).truncate().length();
+        }
+        self.is_under.fill(false);
+        let mut first = 0;
+        for j in 0..self.under.len() {
+            self.look_at_pairs_of(j, first);
+            first += j;
+        }
+        for (under, is_under) in self.under.iter_mut().zip(&self.is_under) {
+            *under += u64::from(*is_under);
+        }
+    }
+
+    /// The pairs of a robot with those before it, the first of which has this number.
+    fn look_at_pairs_of(&mut self, j: usize, first: usize) {
+        let own_m = self.flown_m[j];
+        for from in (0..j).step_by(AT_ONCE) {
+            let upto = (from + AT_ONCE).min(j);
+            let is_due = |(flown_m, due_m): (&f64, &f64)| flown_m + own_m > *due_m;
+            let ways = self.flown_m[from..upto].iter().zip(&self.due_m[first + from..first + upto]);
+            // Without an early exit, several are compared in one step.
+            if !ways.map(is_due).fold(false, |any, due| any | due) {
+                continue;
+            }
+            for i in from..upto {
+                if is_due((&self.flown_m[i], &self.due_m[first + i])) {
+                    self.look_at(i, j, first + i);
+                }
             }
         }
+    }
+
+    fn look_at(&mut self, i: usize, j: usize, index: usize) {
+        let (way, pair) = (self.at[j] - self.at[i], &mut self.pairs[index]);
+        let (over_m, up_m) = (way.truncate().length(), way.z.abs());
+        pair.least_m = pair.least_m.min(way.length());
+        if up_m <= self.body_m {
+            pair.beside_m = pair.beside_m.min(over_m);
+        } else if over_m <= self.downwash_m {
+            pair.below_m = pair.below_m.min(up_m);
+            pair.ticks += 1;
+            self.is_under[if way.z > 0.0 { i } else { j }] = true;
+        }
+        // Farther apart over ground, nothing of it can change, on whatever levels they are.
+        let least_m = pair.least_m.max(pair.beside_m);
+        self.due_m[index] = if over_m < least_m || over_m <= self.downwash_m {
+            f64::NEG_INFINITY
+        } else {
+            let spare_m = over_m - least_m.max(self.downwash_m) - ROUNDING_M;
+            self.flown_m[i] + self.flown_m[j] + spare_m.max(0.0)
+        };
     }
 
     /// All pairs, the nearest first.
@@ -109,6 +165,7 @@ mod tests {
     use uchain_core::explore::Purpose;
 
     use super::*;
+    use crate::seed::{Seed, Source};
 
     fn at(x_m: f32, z_m: f32) -> RobotFrame {
         RobotFrame {
@@ -140,5 +197,73 @@ mod tests {
         assert_eq!((beside.robots, beside.below_m, beside.beside_m), ([0, 1], Some(0.5), None));
         assert_eq!((beside.least_m, beside.downwash_s), (0.5, 0.1));
         assert_eq!((far.robots, far.downwash_s, far.beside_m), ([1, 2], 0.0, None));
+    }
+
+    /// All pairs, looked at in every tick.
+    fn look_at_all(gaps: &mut Gaps, robots: &[RobotFrame]) {
+        let place = |robot: &RobotFrame| DVec3::new(robot.x_m.into(), robot.y_m.into(), robot.z_m.into());
+        for (j, under) in gaps.under.iter_mut().enumerate() {
+            let own = place(&robots[j]);
+            let is_above = |other: &RobotFrame| {
+                let way = place(other) - own;
+                way.z > gaps.body_m && way.truncate().length() <= gaps.downwash_m
+            };
+            *under += u64::from(robots.iter().any(is_above));
+        }
+        let ends = robots.iter().enumerate().flat_map(|(j, b)| robots.iter().take(j).map(move |a| (a, b)));
+        for (pair, (a, b)) in gaps.pairs.iter_mut().zip(ends) {
+            let way = place(b) - place(a);
+            let (over_m, up_m) = (way.truncate().length(), way.z.abs());
+            pair.least_m = pair.least_m.min(way.length());
+            if up_m <= gaps.body_m {
+                pair.beside_m = pair.beside_m.min(over_m);
+            } else if over_m <= gaps.downwash_m {
+                pair.below_m = pair.below_m.min(up_m);
+                pair.ticks += 1;
+            }
+        }
+    }
+
+    #[test]
+    fn few_looks_find_what_all_looks_find() {
+        for seed in 0..8 {
+            let mut random = Seed(seed).stream(0, Source::Start);
+            let count = 2 + 6 * seed as usize;
+            let spread_m = [0.8, 4.0, 30.0][(seed % 3) as usize];
+            let mut place = |z_m: f32| {
+                let side = |share: f32| spread_m * (share - 0.5);
+                RobotFrame { y_m: side(random.uniform()), ..at(side(random.uniform()), z_m) }
+            };
+            let mut robots: Vec<RobotFrame> = (0..count).map(|_| place(1.0)).collect();
+            let (mut few, mut all) = (Gaps::new(count as u16, 0.1, 0.3), Gaps::new(count as u16, 0.1, 0.3));
+            let mut targets = robots.clone();
+            let mut looks = 0;
+            for tick in 0..600 {
+                if tick % 30 == 0 {
+                    for (i, target) in targets.iter_mut().enumerate() {
+                        // Some rest for a while.
+                        if (i + tick / 30) % 4 != 0 {
+                            *target = place([0.5, 1.0, 1.5][(i + tick) % 3]);
+                        }
+                    }
+                }
+                for (robot, target) in robots.iter_mut().zip(&targets) {
+                    let way = glam::Vec3::new(
+                        target.x_m - robot.x_m,
+                        target.y_m - robot.y_m,
+                        target.z_m - robot.z_m,
+                    );
+                    let step = way.clamp_length_max(0.05);
+                    (robot.x_m, robot.y_m, robot.z_m) =
+                        (robot.x_m + step.x, robot.y_m + step.y, robot.z_m + step.z);
+                }
+                few.look(&robots);
+                look_at_all(&mut all, &robots);
+                looks += few.due_m.iter().filter(|due_m| **due_m > f64::NEG_INFINITY).count();
+                assert_eq!(few.gaps(), all.gaps(), "seed {seed}, tick {tick}");
+                assert_eq!(few.downwash_s(), all.downwash_s(), "seed {seed}, tick {tick}");
+            }
+            assert!(looks > 0, "nobody is ever let alone");
+        }
     }
 }

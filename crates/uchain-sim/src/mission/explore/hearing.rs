@@ -1,77 +1,165 @@
-//! Who hears whom: robots within the range of messages, and those they pass on to.
+//! Who hears whom: robots within the range of messages, and those they pass on to; and what they have heard.
 
-use uchain_core::explore::{Message, Point, Ssg};
+#[cfg(test)]
+mod tests;
 
-/// Groups of robots that hear each other this round.
+use uchain_core::explore::{Message, NodeId, Point, Ssg};
+
+/// Groups of robots that hear each other this round. Robots of one group know the same.
 #[derive(Debug)]
 pub(super) struct Hearing {
     /// Range of messages (m); `None`: all of the map.
     range_m: Option<f32>,
     /// Per robot, the lowest index of its group.
-    group: Vec<usize>,
+    leader: Vec<usize>,
+    /// By leader, the robots of its group in index order, itself included.
+    members: Vec<Vec<usize>>,
+    log: Log,
 }
 
 impl Hearing {
     pub(super) fn new(robots: usize, range_m: Option<f32>) -> Self {
-        Self { range_m, group: vec![0; robots] }
+        // Where all hear all, nobody is ever told what was said before.
+        let log = Log::new(if range_m.is_some() { robots } else { 0 });
+        let mut hearing = Self { range_m, leader: Vec::new(), members: Vec::new(), log };
+        hearing.gather(vec![0; robots]);
+        hearing
     }
 
     /// The robots of a robot's group, itself included, in index order.
-    pub(super) fn group_of(&self, robot: usize) -> impl Iterator<Item = usize> + '_ {
-        let group = self.group.get(robot);
-        self.group.iter().enumerate().filter(move |(_, other)| Some(*other) == group).map(|(i, _)| i)
+    pub(super) fn group_of(&self, robot: usize) -> &[usize] {
+        let members = self.leader.get(robot).and_then(|&leader| self.members.get(leader));
+        members.map_or(&[], Vec::as_slice)
     }
 
-    /// Robots are at these places now. Those that did not hear each other before tell each other all they know.
+    /// All groups, by their lowest index.
+    pub(super) fn groups(&self) -> impl Iterator<Item = &[usize]> {
+        self.members.iter().filter(|members| !members.is_empty()).map(Vec::as_slice)
+    }
+
+    /// A robot has said something, and all of its group have heard it.
+    pub(super) fn heard(&mut self, speaker: usize, message: &Message) {
+        let node = match message {
+            Message::Node(report) => report.id,
+            Message::Spent(spent) => spent.node,
+            // Of this round only.
+            Message::Pose { .. } | Message::Target(_) => return,
+        };
+        if self.range_m.is_some() {
+            let members = self.leader.get(speaker).and_then(|&leader| self.members.get(leader));
+            self.log.say(speaker, node, members.map_or(&[], Vec::as_slice));
+        }
+    }
+
+    /// Robots are at these places now. Those that did not hear each other before tell each other what is new to them.
     pub(super) fn listen(&mut self, places: &[Point], stores: &mut [Ssg]) {
         let Some(range_m) = self.range_m else { return };
-        let before = std::mem::take(&mut self.group);
-        self.group = groups(places, range_m);
-        for leader in 0..self.group.len() {
-            let members: Vec<usize> = self.group_of(leader).filter(|&i| i != leader).collect();
-            let is_new = members.iter().any(|&i| before.get(i) != before.get(leader));
-            if self.group[leader] != leader || !is_new {
+        let now = groups(places, range_m);
+        if now == self.leader {
+            return;
+        }
+        let before = std::mem::take(&mut self.leader);
+        self.gather(now);
+        for members in &self.members {
+            let Some((&leader, others)) = members.split_first() else { continue };
+            if others.iter().all(|&i| before.get(i) == before.get(leader)) {
                 continue;
             }
-            for &member in &members {
-                tell(stores, member, leader);
+            for &member in others {
+                self.log.tell(stores, member, leader);
             }
-            for &member in &members {
-                tell(stores, leader, member);
+            for &member in others {
+                self.log.tell(stores, leader, member);
             }
         }
+    }
+
+    fn gather(&mut self, leader: Vec<usize>) {
+        self.members.resize(leader.len(), Vec::new());
+        self.members.iter_mut().for_each(Vec::clear);
+        for (i, &leader) in leader.iter().enumerate() {
+            self.members[leader].push(i);
+        }
+        self.leader = leader;
     }
 }
 
 /// Per robot the lowest index that messages can come from or go to.
 fn groups(places: &[Point], range_m: f32) -> Vec<usize> {
     let mut group: Vec<usize> = (0..places.len()).collect();
-    for first in 0..places.len() {
-        if group[first] != first {
-            continue;
-        }
+    // Those that nobody has reached yet, in index order.
+    let mut apart: Vec<usize> = group.clone();
+    while let Some(&first) = apart.first() {
         let mut open = vec![first];
+        apart.remove(0);
         while let Some(i) = open.pop() {
-            for (j, place) in places.iter().enumerate() {
-                if group[j] != first && places[i].distance_m(*place) <= range_m {
+            apart.retain(|&j| {
+                let is_near = places[i].distance_m(places[j]) <= range_m;
+                if is_near {
                     group[j] = first;
                     open.push(j);
                 }
-            }
+                !is_near
+            });
         }
     }
     group
 }
 
-/// One robot tells another one all nodes it knows, with their labels. What is known already changes nothing.
-fn tell(stores: &mut [Ssg], from: usize, to: usize) {
-    let Some(known) = stores.get(from) else { return };
-    let reports: Vec<Message> =
-        (0..known.len()).filter_map(|slot| known.report(slot)).map(Message::Node).collect();
-    if let Some(store) = stores.get_mut(to) {
-        for report in &reports {
-            // Where the store is full, so it is.
-            let _ = store.apply(report);
+/// What every robot has said of nodes and arcs, and how much of it every other one has heard: always all up to one
+/// moment, for robots that meet leave nothing out.
+#[derive(Debug)]
+struct Log {
+    /// By speaker, the nodes it has spoken of, in order.
+    said: Vec<Vec<NodeId>>,
+    /// By hearer and speaker, how much of it.
+    heard: Vec<Vec<usize>>,
+}
+
+impl Log {
+    fn new(robots: usize) -> Self {
+        Self { said: vec![Vec::new(); robots], heard: vec![vec![0; robots]; robots] }
+    }
+
+    fn say(&mut self, speaker: usize, node: NodeId, hearers: &[usize]) {
+        self.said[speaker].push(node);
+        for &hearer in hearers {
+            self.heard[hearer][speaker] = self.said[speaker].len();
         }
+    }
+
+    /// One robot tells another one, of all it has heard, what the other has not: the nodes with their labels of now, in
+    /// the order in which it came to know them. Labels that fell because of these nodes fall by themselves.
+    fn tell(&mut self, stores: &mut [Ssg], from: usize, to: usize) {
+        let Some(known) = stores.get(from) else { return };
+        let reports: Vec<Message> = self
+            .news(known, from, to)
+            .into_iter()
+            .filter_map(|slot| known.report(slot))
+            .map(Message::Node)
+            .collect();
+        for speaker in 0..self.said.len() {
+            let upto = self.heard[from][speaker];
+            self.heard[to][speaker] = self.heard[to][speaker].max(upto);
+        }
+        if let Some(store) = stores.get_mut(to) {
+            for report in &reports {
+                // Where the store is full, so it is.
+                let _ = store.apply(report);
+            }
+        }
+    }
+
+    /// Slots of one robot's nodes that it has heard something of and another robot has not, in order.
+    fn news(&self, known: &Ssg, from: usize, to: usize) -> Vec<usize> {
+        let mut new: Vec<usize> = Vec::new();
+        for (speaker, said) in self.said.iter().enumerate() {
+            let unheard = said.get(self.heard[to][speaker]..self.heard[from][speaker]).unwrap_or_default();
+            // What the teller's store had no room for, it cannot tell.
+            new.extend(unheard.iter().filter_map(|&id| known.slot(id)));
+        }
+        new.sort_unstable();
+        new.dedup();
+        new
     }
 }

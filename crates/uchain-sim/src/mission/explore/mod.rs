@@ -39,14 +39,16 @@ impl Team {
         let robots = scenario.team.robots;
         let count = usize::from(robots);
         let empty = Ssg::new(scenario.params.clone(), robots).ok()?;
+        let mut noted = empty.clone();
+        noted.note_freed();
         let shared = scenario.team.range_m.is_none();
         Some(Self {
             params: scenario.params.clone(),
             explorers: (0..robots).map(|i| Explorer::new(i, robots)).collect(),
             draws: (0..u32::from(robots)).map(|i| seed.stream(i, Source::Choice)).collect(),
             hearing: Hearing::new(count, scenario.team.range_m),
-            whole: (!shared).then(|| empty.clone()),
-            stores: vec![empty; if shared { 1 } else { count }],
+            whole: (!shared).then(|| noted.clone()),
+            stores: if shared { vec![noted] } else { vec![empty; count] },
             said: vec![Vec::new(); count],
             targets: Vec::with_capacity(count),
             commands: Vec::with_capacity(count),
@@ -106,7 +108,7 @@ impl Team {
             self.targets.push(target);
             self.deliver(i);
         }
-        self.news.update(self.whole.as_ref().unwrap_or(&self.stores[0]));
+        self.news.update(self.whole.as_mut().unwrap_or(&mut self.stores[0]));
         self.obey();
         self.over()
     }
@@ -114,14 +116,15 @@ impl Team {
     /// What a robot has just said goes to all that hear it.
     fn deliver(&mut self, speaker: usize) {
         for message in self.said[speaker].drain(..) {
-            for i in self.hearing.group_of(speaker) {
+            for &i in self.hearing.group_of(speaker) {
                 self.explorers[i].hear(&message);
             }
+            self.hearing.heard(speaker, &message);
             // A shared store has taken it in from its speaker.
             if let Some(whole) = &mut self.whole {
                 // Refused by one, refused by all.
                 let _ = whole.apply(&message);
-                for i in self.hearing.group_of(speaker) {
+                for &i in self.hearing.group_of(speaker) {
                     let _ = self.stores[i].apply(&message);
                 }
             }
@@ -131,11 +134,7 @@ impl Team {
     /// Conflicts are resolved among those that hear each other; others are too far apart to meet.
     fn obey(&mut self) {
         let mut rulings = vec![None; self.explorers.len()];
-        for leader in 0..self.explorers.len() {
-            let group: Vec<usize> = self.hearing.group_of(leader).collect();
-            if group.first() != Some(&leader) {
-                continue;
-            }
+        for group in self.hearing.groups() {
             let targets: Vec<Target> = group.iter().map(|&i| self.targets[i]).collect();
             for (&i, ruling) in group.iter().zip(rule(&targets, &self.params)) {
                 rulings[i] = Some(ruling);
