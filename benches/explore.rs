@@ -12,16 +12,17 @@ use uchain_sim::{
 const ROOM_M: f64 = 3.0;
 
 pub(crate) fn all(criterion: &mut Criterion) {
-    offices(criterion);
+    offices(criterion, "exploration of rooms [move]", "");
+    offices(criterion, "exploration of rooms, messages reach 6 m [move]", "range_m = 6.0\n");
     vehicles(criterion);
 }
 
-/// Ten robots in offices of 4 × 4 to 16 × 16 rooms; digest and summary included.
-fn offices(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("exploration of rooms [move]");
+/// Ten robots in offices of 4 × 4 to 16 × 16 rooms, with more keys of theirs; digest and summary included.
+fn offices(criterion: &mut Criterion, name: &str, keys: &str) {
+    let mut group = criterion.benchmark_group(name);
     group.sample_size(10);
     for rooms in [4, 8, 16] {
-        let site = office(rooms);
+        let site = office(rooms, keys);
         let (summary, _) = explore(&site, 1, &mut ()).expect("nobody stops it");
         group.throughput(Throughput::Elements(summary.moves.iter().sum::<u32>().into()));
         let nodes: u32 = summary.nodes.iter().sum();
@@ -50,10 +51,10 @@ fn vehicles(criterion: &mut Criterion) {
 }
 
 /// Square rooms side by side, with doors of 1 m and more: crosses of walls where four of them meet.
-fn office(rooms: u32) -> Site {
+fn office(rooms: u32, keys: &str) -> Site {
     let side_m = ROOM_M * f64::from(rooms);
     let mut text = format!(
-        "name = \"office\"\nduration_s = 86400.0\n[explore]\nrobots = 10\n[map.walls]\n\
+        "name = \"office\"\nduration_s = 86400.0\n[explore]\nrobots = 10\n{keys}[map.walls]\n\
          outer_m = [[0.0, 0.0], [{side_m}, 0.0], [{side_m}, {side_m}], [0.0, {side_m}]]\ninner_m = [\n"
     );
     // A quarter of a cross; the others are the same, turned.

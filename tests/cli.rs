@@ -15,6 +15,9 @@ mod interrupt;
 /// `uchain paper`.
 #[path = "cli/paper.rs"]
 mod paper;
+/// Where robots and UAVs are put: in rock, beyond the map, with no room.
+#[path = "cli/places.rs"]
+mod places;
 /// `uchain plan`.
 #[path = "cli/plan.rs"]
 mod plan;
@@ -59,6 +62,22 @@ fn stdout(output: &Output) -> &str {
 
 fn stderr(output: &Output) -> &str {
     std::str::from_utf8(&output.stderr).unwrap()
+}
+
+/// The folder of small inputs with their right answers; `None`, said aloud, where it is absent. In the gate absence is a
+/// failure.
+fn shared_cases() -> Option<PathBuf> {
+    let cases = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/cases");
+    if cases.is_dir() {
+        return Some(cases);
+    }
+    assert!(
+        std::env::var("CI").as_deref() != Ok("true"),
+        "{} is missing: the gate needs it",
+        cases.display()
+    );
+    eprintln!("skipped: {} is not there", cases.display());
+    None
 }
 
 fn folder() -> TempDir {

@@ -134,7 +134,12 @@ impl Check<'_> {
         }
         let Some(spawns) = &chain.spawns_m else { return Ok(()) };
         if spawns.len() != chain.uavs {
-            let expected = format!("must be one place per UAV (chain.uavs = {})", chain.uavs);
+            let expected = format!(
+                "must be one place per UAV (chain.uavs = {}); with these places: --set chain.uavs={}; without them UAVs \
+                 wait in a row",
+                chain.uavs,
+                spawns.len().max(1)
+            );
             return Err(self.invalid("chain.spawns_m", &format!("{} places", spawns.len()), expected));
         }
         spawns.iter().enumerate().try_for_each(|(i, &at)| self.point(&format!("chain.spawns_m.{i}"), at))

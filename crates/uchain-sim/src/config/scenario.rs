@@ -100,7 +100,8 @@ uchain_core::params! {
 }
 
 uchain_core::params! {
-    /// Walls drawn one by one, as closed loops of corners `[x, y]` (m). Loops neither cross nor touch.
+    /// Walls drawn one by one, as closed loops of corners `[x, y]` (m). Loops neither cross nor touch. Rock within rock
+    /// is rock, and beyond the outer wall all is.
     #[derive(Serialize, Deserialize)]
     #[serde(deny_unknown_fields)]
     pub struct WallsConfig {

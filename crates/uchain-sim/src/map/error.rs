@@ -72,6 +72,16 @@ pub enum MapError {
         /// Where (m).
         y: f64,
     },
+    /// A piece of rock that leaves no free space.
+    #[error(
+        "the piece of rock with a corner at ({x}, {y}) m surrounds the outer wall: no free space is left"
+    )]
+    AllRock {
+        /// x as given (m).
+        x: f64,
+        /// y as given (m).
+        y: f64,
+    },
     /// A place that has to be in free space is in rock.
     #[error("({x}, {y}) m is in rock")]
     InRock {

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 
 use glam::Vec2;
 
-pub(super) use place::{build, draw, read, read_grid, refuse};
+pub(super) use place::{build, draw, in_rock, outside, read, read_grid, refuse};
 
 use super::{ConfigError, MapConfig, Scenario, Source, check, document::Document};
 use crate::{
@@ -117,8 +117,8 @@ impl Course {
         let spots = Spots { map: &map, radius_m, document };
         let [x_m, y_m] = scenario.chain.base_m;
         let base = map.to_local([x_m, y_m]);
-        if map.in_rock(base) {
-            let expected = "the base is in rock; expected free space".to_owned();
+        if let Some(in_rock) = in_rock(&map, base) {
+            let expected = format!("the base is {in_rock}; expected free space");
             return Err(spots.invalid("chain.base_m", &format!("[{x_m}, {y_m}]"), expected));
         }
         // Before the geodesic, which takes longest: a detour allows for far fewer corners.
@@ -223,8 +223,8 @@ impl Spots<'_> {
         let goal = self.map.to_local([x_m, y_m]);
         let wrong =
             |expected: &str| Err(self.invalid("chain.goal_m", &format!("[{x_m}, {y_m}]"), expected.into()));
-        if self.map.in_rock(goal) {
-            return wrong("the goal is in rock; expected free space");
+        if let Some(in_rock) = in_rock(self.map, goal) {
+            return wrong(&format!("the goal is {in_rock}; expected free space"));
         }
         let Some(line) = line else {
             let path = self.map.centre_path(base, goal);
@@ -250,8 +250,8 @@ impl Spots<'_> {
         let [x_m, y_m] = place.at_m.map(to_a_micrometre);
         let uav = format!("UAV {index} would wait at ({x_m}, {y_m}) m");
         let wrong = |expected| Err(self.invalid(&place.key, &place.got, expected));
-        if self.map.in_rock(at) {
-            return wrong(format!("{uav}, which is in rock; expected free space"));
+        if let Some(in_rock) = in_rock(self.map, at) {
+            return wrong(format!("{uav}, which is {in_rock}; expected free space"));
         }
         let radius_m = self.radius_m;
         let clearance_m = self.map.clearance_m(at);

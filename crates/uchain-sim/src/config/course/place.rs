@@ -1,5 +1,8 @@
 //! Maps, as a scenario asks for them.
 
+use glam::Vec2;
+
+use super::to_a_micrometre;
 use crate::{
     config::{
         ConfigError, CorridorConfig, MovingAiConfig, RosConfig, Source, WallsConfig, document::Document,
@@ -44,4 +47,23 @@ pub(in super::super) fn read_grid(config: &MovingAiConfig, source: &Source) -> R
 
 pub(in super::super) fn refuse(document: &Document<'_>, key: &str, cause: MapError) -> ConfigError {
     ConfigError::Map { at: document.origin(key), key: key.to_owned(), cause: Box::new(cause) }
+}
+
+/// What a place is that lies beyond all free ground: how far that reaches, in the scenario's own frame.
+pub(in super::super) fn outside(map: &Map, at: Vec2) -> Option<String> {
+    let (low, high) = map.bounds();
+    if at.cmpge(low).all() && at.cmple(high).all() {
+        return None;
+    }
+    let [x_m, y_m] = map.offset_m();
+    let own = |at: Vec2| [f64::from(at.x) + x_m, f64::from(at.y) + y_m].map(to_a_micrometre);
+    let ([left, bottom], [right, top]) = (own(low), own(high));
+    Some(format!("outside the map, which reaches from ({left}, {bottom}) to ({right}, {top}) m"))
+}
+
+/// What a place in rock is; `None` for free ground.
+pub(in super::super) fn in_rock(map: &Map, at: Vec2) -> Option<String> {
+    let words =
+        || outside(map, at).map_or_else(|| "in rock".to_owned(), |outside| format!("in rock, {outside}"));
+    map.in_rock(at).then(words)
 }

@@ -9,7 +9,7 @@ use crate::{
     analyse::explore::Ground,
     config::{
         ConfigError, MapConfig, Source,
-        course::{build, draw, read, read_grid, refuse, to_a_micrometre},
+        course::{build, draw, in_rock, outside, read, read_grid, refuse, to_a_micrometre},
         document::Document,
     },
     map::Map,
@@ -27,6 +27,8 @@ pub struct Site {
     pub map: Map,
     /// Where the robots start, in order, before the seed moves them (m).
     pub spawns: Vec<Vec2>,
+    /// Where robots start instead of `start_m`, if that has no room.
+    moved: Option<String>,
     /// Surveyed by the first [`Site::ground`], shared by all runs.
     ground: OnceLock<Ground>,
 }
@@ -77,7 +79,8 @@ impl Site {
             (MapConfig::Ros(config), None) => read(config, source).map_err(refuse("map.ros.file"))?,
         };
         let spawns = places(&scenario, &map, document)?;
-        Ok(Self { scenario, map, spawns, ground: OnceLock::new() })
+        let moved = moved(&scenario, &map, &spawns);
+        Ok(Self { scenario, map, spawns, moved, ground: OnceLock::new() })
     }
 
     /// What of the map a robot can reach, in cells.
@@ -85,11 +88,11 @@ impl Site {
         self.ground.get_or_init(|| Ground::survey(&self.map, &self.spawns, &self.scenario.params))
     }
 
-    /// What one should know before the start: ground that robots of this size cannot reach, or may miss.
+    /// What one should know before the start: another start than asked for, ground that robots of this size cannot reach, or may miss.
     pub fn notes(&self) -> Vec<String> {
         let (ground, params) = (self.ground(), &self.scenario.params);
         let (reach_m2, shut_off_m2, narrow_m2) = (ground.area_m2(), ground.shut_off_m2(), ground.narrow_m2());
-        let mut notes = Vec::new();
+        let mut notes: Vec<String> = self.moved.iter().cloned().collect();
         if shut_off_m2 > NOTED * reach_m2 {
             notes.push(format!(
                 "{shut_off_m2:.1} m2 of free ground lie behind passages narrower than {} m, two explore.r_body_m: robots \
@@ -120,6 +123,12 @@ fn places(scenario: &ExploreScenario, map: &Map, document: &Document<'_>) -> Res
     let wall_m = params.r_body_m + wander_m;
     let apart_m = params.conflict_m() + 2.0 * wander_m;
     if team.spawns_m.is_empty() {
+        if let Some([x_m, y_m]) = team.start_m
+            && let Some(outside) = outside(map, map.to_local([x_m, y_m]))
+        {
+            let got = format!("[{x_m}, {y_m}]");
+            return invalid("explore.start_m".to_owned(), got, format!("{outside}; expected a place in it"));
+        }
         let lattice = Lattice::new(map, wall_m, apart_m);
         let first = match team.start_m {
             Some(at_m) => lattice.nearest(map.to_local(at_m)),
@@ -129,16 +138,25 @@ fn places(scenario: &ExploreScenario, map: &Map, document: &Document<'_>) -> Res
         if places.len() == robots {
             return Ok(places);
         }
+        let fewer = if places.is_empty() {
+            String::new()
+        } else {
+            format!(": --set explore.robots={}", places.len())
+        };
         let expected = format!(
             "expected room for all of them side by side, {apart_m:.3} m apart and {wall_m:.3} m from walls; there is \
-             room for {}",
+             room for {}{fewer}",
             places.len()
         );
         return invalid("explore.robots".to_owned(), robots.to_string(), expected);
     }
     if team.spawns_m.len() < robots {
         let got = format!("{} places", team.spawns_m.len());
-        let expected = format!("must be one place per robot at least (explore.robots = {robots})");
+        let [x_m, y_m] = team.spawns_m[0];
+        let expected = format!(
+            "must be one place per robot at least (explore.robots = {robots}); to have places found around the first, \
+             add: --set 'explore.spawns_m=[]' --set 'explore.start_m=[{x_m:?}, {y_m:?}]'"
+        );
         return invalid("explore.spawns_m".to_owned(), got, expected);
     }
     let mut spawns: Vec<Vec2> = Vec::with_capacity(robots);
@@ -149,8 +167,8 @@ fn places(scenario: &ExploreScenario, map: &Map, document: &Document<'_>) -> Res
         let wrong = |expected| {
             invalid(format!("explore.spawns_m.{i}"), format!("[{}, {}]", place[0], place[1]), expected)
         };
-        if map.in_rock(at) {
-            return wrong(format!("{robot}, which is in rock; expected free space"));
+        if let Some(in_rock) = in_rock(map, at) {
+            return wrong(format!("{robot}, which is {in_rock}; expected free space"));
         }
         let clearance_m = map.clearance_m(at);
         if clearance_m < wall_m {
@@ -170,4 +188,25 @@ fn places(scenario: &ExploreScenario, map: &Map, document: &Document<'_>) -> Res
         spawns.push(at);
     }
     Ok(spawns)
+}
+
+/// Says where robots start if `start_m` has no room for one.
+fn moved(scenario: &ExploreScenario, map: &Map, spawns: &[Vec2]) -> Option<String> {
+    let (team, first) = (&scenario.team, spawns.first()?);
+    let [x_m, y_m] = team.start_m.filter(|_| team.spawns_m.is_empty())?;
+    let asked = map.to_local([x_m, y_m]);
+    let room_m = scenario.params.r_body_m + team.scatter_m * core::f32::consts::SQRT_2;
+    let why = if map.in_rock(asked) {
+        "is in rock".to_owned()
+    } else if map.clearance_m(asked) < room_m {
+        format!("is {:.3} m from a wall, which is no room for a robot", map.clearance_m(asked))
+    } else {
+        return None;
+    };
+    let [east_m, north_m] = map.offset_m();
+    let (at_x_m, at_y_m) = (f64::from(first.x) + east_m, f64::from(first.y) + north_m);
+    Some(format!(
+        "explore.start_m = [{x_m}, {y_m}] {why}: robots start around ({at_x_m:.2}, {at_y_m:.2}) m, {:.2} m from there",
+        first.distance(asked)
+    ))
 }

@@ -20,6 +20,8 @@ pub(super) struct Levels {
     pub(super) occupied: f64,
     /// Darkness below which a cell is free, 0 to 1.
     pub(super) free: f64,
+    /// Whether a cell is unknown if it is not wholly opaque, however dark.
+    pub(super) by_opacity: bool,
 }
 
 impl Levels {
@@ -60,16 +62,22 @@ impl Cells {
         }
         let picture = reader()?.decode().map_err(|error| error.to_string())?;
         let cols = picture.width() as usize;
+        let opaque = levels.by_opacity.then(|| opaque(&picture)).flatten();
         let mut free: Vec<bool> = match picture {
             DynamicImage::ImageLuma8(grey) => {
                 grey.pixels().map(|pixel| levels.is_free(f64::from(pixel.0[0]), unknown)).collect()
             }
-            // Transparency says nothing about rock; the mean is over the colours alone.
+            // The mean is over the colours alone.
             colours => {
                 let mean = |[r, g, b]: [u8; 3]| f64::from(u16::from(r) + u16::from(g) + u16::from(b)) / 3.0;
                 colours.into_rgb8().pixels().map(|pixel| levels.is_free(mean(pixel.0), unknown)).collect()
             }
         };
+        for (free, opaque) in free.iter_mut().zip(opaque.into_iter().flatten()) {
+            if !opaque {
+                *free = unknown == Unknown::Free;
+            }
+        }
         // Pictures start at the top.
         let rows = free.len().checked_div(cols).unwrap_or(0);
         for row in 0..rows / 2 {
@@ -91,5 +99,20 @@ impl Cells {
     pub(super) fn is_free(&self, col: isize, row: isize) -> bool {
         let (Ok(col), Ok(row)) = (usize::try_from(col), usize::try_from(row)) else { return false };
         col < self.cols && self.free.get(row * self.cols + col).copied().unwrap_or(false)
+    }
+}
+
+/// Which pixels are wholly opaque; `None` for a picture without an alpha channel.
+fn opaque(picture: &DynamicImage) -> Option<Vec<bool>> {
+    match picture {
+        DynamicImage::ImageLumaA8(grey) => Some(grey.pixels().map(|pixel| pixel.0[1] == u8::MAX).collect()),
+        DynamicImage::ImageRgba8(colours) => {
+            Some(colours.pixels().map(|pixel| pixel.0[3] == u8::MAX).collect())
+        }
+        DynamicImage::ImageLumaA16(grey) => Some(grey.pixels().map(|pixel| pixel.0[1] == u16::MAX).collect()),
+        DynamicImage::ImageRgba16(colours) => {
+            Some(colours.pixels().map(|pixel| pixel.0[3] == u16::MAX).collect())
+        }
+        _ => None,
     }
 }

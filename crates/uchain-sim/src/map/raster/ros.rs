@@ -2,7 +2,8 @@
 //!
 //! A pixel's darkness `p` is `(255 − mean of its colours) / 255`, or the mean over 255 if `negate` is set; above
 //! `occupied_thresh` it is rock, below `free_thresh` free, else unknown (mode `trinary`). Mode `scale` grades the
-//! cells between the thresholds; here they are unknown as well. `origin` is the pose of the lower-left corner of the
+//! cells between the thresholds; here they are unknown as well, and so is, in that mode alone, what is not wholly opaque.
+//! `origin` is the pose of the lower-left corner of the
 //! picture: yaw turns the picture counter-clockwise about that corner.
 //! Format: <https://wiki.ros.org/map_server>.
 
@@ -102,20 +103,21 @@ impl Meta {
         };
         let occupied = keys.number("occupied_thresh", 0.0, 1.0, "a share of darkness, 0 to 1")?;
         let free = keys.number("free_thresh", 0.0, occupied, "a share of darkness, 0 to occupied_thresh")?;
-        match keys.values.get("mode") {
-            None => {}
-            Some(Value::Text(mode)) if mode == "trinary" || mode == "scale" => {}
+        let by_opacity = match keys.values.get("mode") {
+            None => false,
+            Some(Value::Text(mode)) if mode == "trinary" => false,
+            Some(Value::Text(mode)) if mode == "scale" => true,
             Some(_) => return Err(keys.wrong("mode", "trinary or scale; raw cells say nothing about walls")),
-        }
+        };
         let turn = DVec2::new(libm::cos(yaw_rad), libm::sin(yaw_rad));
-        let levels = Levels { negate, occupied, free };
+        let levels = Levels { negate, occupied, free, by_opacity };
         Ok(Self { image, resolution_m, corner: DVec2::new(x, y), turn, levels })
     }
 
     /// What `map_saver` writes, for a picture without a yaml file.
     fn of_picture(picture: &Path) -> Self {
         let image = PathBuf::from(picture.file_name().unwrap_or_default());
-        let levels = Levels { negate: false, occupied: 0.65, free: 0.196 };
+        let levels = Levels { negate: false, occupied: 0.65, free: 0.196, by_opacity: false };
         Self { image, resolution_m: 0.05, corner: DVec2::ZERO, turn: DVec2::X, levels }
     }
 

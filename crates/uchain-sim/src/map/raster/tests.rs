@@ -64,6 +64,54 @@ fn negate_and_thresholds_are_read_as_map_server_reads_them() {
     assert!(!lenient.in_rock(lenient.to_local([10.2, 20.2])));
 }
 
+/// One row of pixels as a PNG: two of grey 254, then what is asked about, each of a colour and an opacity.
+fn png(pixels: &[(u8, u8)], kind: image::ColorType) -> Vec<u8> {
+    let width = pixels.len() as u32 + 2;
+    let row = image::RgbaImage::from_fn(width, 1, |x, _| {
+        let (grey, opacity) = if x < 2 { (254, 255) } else { pixels[x as usize - 2] };
+        image::Rgba([grey, grey, grey, opacity])
+    });
+    let row = image::DynamicImage::ImageRgba8(row);
+    let row = match kind {
+        image::ColorType::La8 => row.into_luma_alpha8().into(),
+        image::ColorType::La16 => row.into_luma_alpha16().into(),
+        image::ColorType::Rgba16 => row.into_rgba16().into(),
+        _ => row,
+    };
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    row.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+    bytes.into_inner()
+}
+
+#[test]
+fn in_mode_scale_what_is_not_opaque_is_unknown_whatever_its_colour_and_in_trinary_it_is_not() {
+    let kinds =
+        [image::ColorType::La8, image::ColorType::Rgba8, image::ColorType::La16, image::ColorType::Rgba16];
+    let width_m = |mode: &str, picture: &[u8], unknown| {
+        let map = read(&format!("{YAML}{mode}"), picture, unknown).unwrap();
+        f64::from(map.bounds().1.x - map.bounds().0.x)
+    };
+    for kind in kinds {
+        for opacity in [0, 254] {
+            for grey in [254, 0] {
+                let clear = png(&[(grey, opacity)], kind);
+                assert_eq!(width_m("mode: scale\n", &clear, Unknown::Rock), 1.0, "{kind:?} {grey} {opacity}");
+                assert_eq!(width_m("mode: scale\n", &clear, Unknown::Free), 1.5, "{kind:?} {grey} {opacity}");
+                let as_if_opaque = if grey == 254 { 1.5 } else { 1.0 };
+                for mode in ["", "mode: trinary\n"] {
+                    assert_eq!(
+                        width_m(mode, &clear, Unknown::Rock),
+                        as_if_opaque,
+                        "{kind:?} {grey} {opacity}"
+                    );
+                }
+            }
+        }
+        let solid = png(&[(254, 255)], kind);
+        assert_eq!(width_m("mode: scale\n", &solid, Unknown::Rock), 1.5, "{kind:?}");
+    }
+}
+
 #[test]
 fn binary_and_ascii_pgm_give_the_same_map() {
     let binary = [b"P5 3 2 255\n".as_slice(), &[254, 254, 0, 205, 205, 0]].concat();
@@ -175,7 +223,7 @@ proptest! {
 
     #[test]
     fn no_bytes_make_the_importer_panic(yaml in prop::collection::vec(any::<u8>(), 0..200), picture in prop::collection::vec(any::<u8>(), 0..200), cut in 0_usize..200, kind in 0_usize..4) {
-        let levels = Levels { negate: false, occupied: 0.65, free: 0.196 };
+        let levels = Levels { negate: false, occupied: 0.65, free: 0.196, by_opacity: true };
         let head = [b"P5 ".as_slice(), b"P2 9 9 9 ", b"\x89PNG\r\n\x1a\n", b""][kind];
         let _ = Cells::decode(&[head, &picture].concat(), levels, Unknown::Free);
         let mut png = std::io::Cursor::new(Vec::new());

@@ -33,8 +33,12 @@ fn tell_all(before: &[usize], leader: &[usize], stores: &mut [Ssg]) {
     for first in 0..leader.len() {
         let others: Vec<usize> = (first + 1..leader.len()).filter(|&i| leader[i] == first).collect();
         if leader[first] == first && others.iter().any(|&i| before[i] != before[first]) {
-            others.iter().for_each(|&other| tell(other, first));
-            others.iter().for_each(|&other| tell(first, other));
+            for &other in &others {
+                tell(other, first);
+            }
+            for &other in &others {
+                tell(first, other);
+            }
         }
     }
 }
