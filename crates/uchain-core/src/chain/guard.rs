@@ -85,7 +85,7 @@ mod tests {
         let params = LinkParams::default();
         let mut silent = LinkEnd::new(End::Front);
         for _ in 0..20 {
-            silent.hear(None, 0.0, 0.2, &KalmanParams::default(), &params);
+            silent.hear(None, Some(0.0), 0.2, &KalmanParams::default(), &params);
         }
         assert_eq!(HeadGuard::default().limit(0.2, &silent, &params), 0.0);
     }
@@ -95,7 +95,7 @@ mod tests {
         let (kalman, params) = (KalmanParams::default(), LinkParams::default());
         let mut lost = at(50.0);
         for _ in 0..6 {
-            lost.hear(None, 0.0, 0.2, &kalman, &params);
+            lost.hear(None, Some(0.0), 0.2, &kalman, &params);
         }
         let mut guard = RelayGuard::default();
         assert_eq!(guard.limit(0.1, &at(50.0), &at(50.0), &params), 0.1);

@@ -42,7 +42,8 @@ crate::params! {
         /// How long "predict" predicts before it holds (s).
         /// - Source: ours
         pub predict_s: f32 = 1.0, in 0.0..=600.0;
-        /// Whether optic flow drives the filter of the link to the base as well.
+        /// Whether optic flow drives the filter of the link to the base as well, and that of the next UAV in line, which
+        /// stands at the base and measures what will be its link.
         /// - Equation: `r = r + A u`, u = 0 on that link if not
         /// - Source: Laclau 2021, Eq. 16; not in the authors' simulator
         pub base_flow: bool = true;
@@ -95,11 +96,12 @@ impl LinkEnd {
     }
 
     /// One decision period: a packet steps the filter (Algorithm 1), silence holds it or lets it predict. A
-    /// packet whose loss is not finite counts as silence.
+    /// packet whose loss is not finite counts as silence. `own_speed_mps` is the own ground speed; `None` on the ground
+    /// at the base.
     pub fn hear(
         &mut self,
         heard: Option<&Heard>,
-        own_speed_mps: f32,
+        own_speed_mps: Option<f32>,
         period_s: f32,
         kalman: &KalmanParams,
         params: &LinkParams,
@@ -128,10 +130,12 @@ impl LinkEnd {
     }
 
     /// Speed of the front end minus that of the rear end, u in Eq. 16 (m/s).
-    fn separating_mps(&self, own_mps: f32, params: &LinkParams) -> f32 {
-        if self.neighbour.is_base && !params.base_flow {
+    fn separating_mps(&self, own_mps: Option<f32>, params: &LinkParams) -> f32 {
+        let is_base_link = self.neighbour.is_base || own_mps.is_none();
+        if is_base_link && !params.base_flow {
             return 0.0;
         }
+        let own_mps = own_mps.unwrap_or(0.0);
         match self.end {
             End::Front => own_mps - self.neighbour.ground_speed_mps,
             End::Rear => self.neighbour.ground_speed_mps - own_mps,
@@ -167,7 +171,7 @@ impl LinkEnd {
 pub(super) fn at(loss_db: f32) -> LinkEnd {
     let mut link = LinkEnd::new(End::Front);
     let heard = Heard { loss_db, packet: Packet::default() };
-    link.hear(Some(&heard), 0.0, 0.2, &KalmanParams::default(), &LinkParams::default());
+    link.hear(Some(&heard), Some(0.0), 0.2, &KalmanParams::default(), &LinkParams::default());
     link
 }
 
@@ -180,14 +184,20 @@ mod tests {
         let (kalman, params) = (KalmanParams::default(), LinkParams::default());
         let mut link = at(50.0);
         for _ in 0..5 {
-            link.hear(None, 0.0, 0.2, &kalman, &params);
+            link.hear(None, Some(0.0), 0.2, &kalman, &params);
         }
         assert!(!link.is_lost(&params));
         let rubbish = Heard { loss_db: f32::NAN, packet: Packet::default() };
-        link.hear(Some(&rubbish), 0.0, 0.2, &kalman, &params);
+        link.hear(Some(&rubbish), Some(0.0), 0.2, &kalman, &params);
         assert!(link.is_lost(&params), "a reading that is not finite counts as none");
         assert_eq!(link.loss_db(), Some(50.0), "silence holds the estimate");
-        link.hear(Some(&Heard { loss_db: 50.0, packet: Packet::default() }), 0.0, 0.2, &kalman, &params);
+        link.hear(
+            Some(&Heard { loss_db: 50.0, packet: Packet::default() }),
+            Some(0.0),
+            0.2,
+            &kalman,
+            &params,
+        );
         assert!(!link.is_lost(&params));
     }
 
@@ -198,8 +208,8 @@ mod tests {
             |speed| Heard { loss_db: 50.0, packet: Packet { ground_speed_mps: speed, ..Packet::default() } };
         let (mut front, mut rear) = (LinkEnd::new(End::Front), LinkEnd::new(End::Rear));
         for _ in 0..2 {
-            front.hear(Some(&heard(0.0)), 0.2, 0.2, &kalman, &params); // I fly ahead, the neighbour stands
-            rear.hear(Some(&heard(0.2)), 0.0, 0.2, &kalman, &params); // I stand, the neighbour flies ahead
+            front.hear(Some(&heard(0.0)), Some(0.2), 0.2, &kalman, &params); // I fly ahead, the neighbour stands
+            rear.hear(Some(&heard(0.2)), Some(0.0), 0.2, &kalman, &params); // I stand, the neighbour flies ahead
         }
         assert!(front.loss_db() > Some(50.1));
         assert_eq!(front.loss_db(), rear.loss_db());
@@ -211,9 +221,9 @@ mod tests {
         let params = LinkParams { gap: Gap::Predict, ..LinkParams::default() };
         let mut link = LinkEnd::new(End::Front);
         let neighbour = Packet { ground_speed_mps: -0.1, ..Packet::default() };
-        link.hear(Some(&Heard { loss_db: 50.0, packet: neighbour }), 0.1, 0.2, &kalman, &params);
+        link.hear(Some(&Heard { loss_db: 50.0, packet: neighbour }), Some(0.1), 0.2, &kalman, &params);
         for _ in 0..20 {
-            link.hear(None, 0.1, 0.2, &kalman, &params);
+            link.hear(None, Some(0.1), 0.2, &kalman, &params);
         }
         // Five periods of 0.2 s apart at 0.2 m/s, 10.7 dB/m.
         assert!((link.loss_db().unwrap() - 52.14).abs() < 1e-3, "{:?}", link.loss_db());
@@ -226,16 +236,35 @@ mod tests {
         let mut link = LinkEnd::new(End::Front);
         for _ in 0..5 {
             let heard = Heard { loss_db: 50.0, packet: Packet::BASE };
-            link.hear(Some(&heard), 0.3, 0.2, &kalman, &params);
+            link.hear(Some(&heard), Some(0.3), 0.2, &kalman, &params);
         }
         assert_eq!(link.loss_db(), Some(50.0));
+    }
+
+    /// What a constant 57 dB reads at the rear end while the neighbour ahead flies on at 0.2 m/s, for a minute.
+    fn read_db(own_mps: Option<f32>, base_flow: bool) -> f32 {
+        let (kalman, params) = (KalmanParams::default(), LinkParams { base_flow, ..LinkParams::default() });
+        let mut link = LinkEnd::new(End::Rear);
+        let packet = Packet { ground_speed_mps: 0.2, ..Packet::default() };
+        for _ in 0..300 {
+            link.hear(Some(&Heard { loss_db: 57.0, packet }), own_mps, 0.2, &kalman, &params);
+        }
+        link.loss_db().unwrap()
+    }
+
+    #[test]
+    fn without_base_flow_a_uav_at_the_base_reads_the_loss_as_it_is_and_with_it_what_is_to_come() {
+        assert_eq!(read_db(None, false), 57.0);
+        assert!((read_db(None, true) - 59.82).abs() < 0.005, "{}", read_db(None, true));
+        // In the air it is a link between UAVs, which optic flow drives either way.
+        assert_eq!(read_db(Some(0.0), false), read_db(None, true));
     }
 
     #[test]
     fn the_raw_signal_is_the_last_sample() {
         let mut link = at(50.0);
         let heard = Heard { loss_db: 58.0, packet: Packet::default() };
-        link.hear(Some(&heard), 0.0, 0.2, &KalmanParams::default(), &LinkParams::default());
+        link.hear(Some(&heard), Some(0.0), 0.2, &KalmanParams::default(), &LinkParams::default());
         assert_eq!(link.signal_db(Signal::Raw), Some(58.0));
         assert!(link.signal_db(Signal::Filtered) < Some(58.0));
     }
@@ -246,10 +275,10 @@ mod tests {
         for (period_s, decisions) in [(0.05, 20), (0.1, 10), (0.2, 5)] {
             let mut link = at(50.0);
             for _ in 0..decisions {
-                link.hear(None, 0.0, period_s, &kalman, &params);
+                link.hear(None, Some(0.0), period_s, &kalman, &params);
             }
             assert!(!link.is_lost(&params), "{period_s}");
-            link.hear(None, 0.0, period_s, &kalman, &params);
+            link.hear(None, Some(0.0), period_s, &kalman, &params);
             assert!(link.is_lost(&params), "{period_s}");
         }
     }

@@ -129,7 +129,7 @@ impl Node {
     fn wait(&mut self, radio: &RadioSlot) {
         let p = &self.params;
         let period_s = p.equalize.decision_s;
-        self.front.hear(radio.front.as_ref(), 0.0, period_s, &p.kalman, &p.link);
+        self.front.hear(radio.front.as_ref(), None, period_s, &p.kalman, &p.link);
         self.airborne = match self.role {
             Role::Head => true,
             // Silence is no news: it neither launches nor counts against a launch.
@@ -147,8 +147,8 @@ impl Node {
         let p = &self.params;
         let period_s = p.equalize.decision_s;
         let own_mps = if seen.ground_speed_mps.is_finite() { seen.ground_speed_mps } else { 0.0 };
-        self.back.hear(radio.back.as_ref(), own_mps, period_s, &p.kalman, &p.link);
-        self.front.hear(radio.front.as_ref(), own_mps, period_s, &p.kalman, &p.link);
+        self.back.hear(radio.back.as_ref(), Some(own_mps), period_s, &p.kalman, &p.link);
+        self.front.hear(radio.front.as_ref(), Some(own_mps), period_s, &p.kalman, &p.link);
         self.flown = self.flown.saturating_add(1);
         let wish_mps = match self.role {
             Role::Head => {

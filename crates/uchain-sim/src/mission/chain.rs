@@ -20,6 +20,8 @@ pub struct ChainMission<'a> {
     nodes: Vec<Node>,
     receivers: Vec<Box<dyn Receiver>>,
     said: Vec<Packet>,
+    /// When each UAV fails, if it is planned to (s).
+    fails_s: Vec<Option<f64>>,
     /// UAVs in the air, head first.
     flying: Vec<usize>,
     /// The first UAV that has neither flown nor failed; it listens from the ground.
@@ -46,12 +48,19 @@ impl<'a> ChainMission<'a> {
         let params = node_params(scenario);
         let count = course.spawns.len();
         let role = |i| if i == 0 { Role::Head } else { Role::Relay };
+        let mut fails_s: Vec<Option<f64>> = vec![None; count];
+        for dead in &scenario.faults.dead {
+            if let Some(first_s) = fails_s.get_mut(dead.uav) {
+                *first_s = Some(first_s.map_or(dead.start_s, |s| s.min(dead.start_s)));
+            }
+        }
         let receiver = |i| receiver(seed, i, scenario.radio.sigma_db, &scenario.packets, &scenario.faults);
         Self {
             course,
             nodes: (0..count).map(|i| Node::new(role(i), params.clone())).collect(),
             receivers: (0..count).map(receiver).collect(),
             said: Vec::with_capacity(count),
+            fails_s,
             flying: Vec::with_capacity(count),
             in_line: 0,
             links: Vec::with_capacity(count),
@@ -62,6 +71,29 @@ impl<'a> ChainMission<'a> {
     pub fn pilot_at(&self, time_s: f64) -> Pilot {
         let now = self.course.scenario.pilot.iter().take_while(|step| step.start_s <= time_s).last();
         now.map_or_else(Pilot::default, |step| Pilot { speed_mps: step.speed_mps, follow: step.follow })
+    }
+
+    /// Whether a UAV has failed by now.
+    fn has_failed(&self, uav: usize, tick: u64) -> bool {
+        let fails_s = self.fails_s.get(uav).copied().flatten();
+        fails_s.is_some_and(|fails_s| fails_s <= tick as f64 / TICKS_PER_S)
+    }
+
+    /// Before anybody senses: who fails at this tick lies on the ground, is seen by nobody, says nothing and hears
+    /// nothing from this very instant on.
+    pub fn fail(&mut self, tick: u64, world: &mut World<'_>) {
+        let mut flying = std::mem::take(&mut self.flying);
+        flying.retain(|&uav| {
+            let has_failed = self.has_failed(uav, tick);
+            if has_failed {
+                world.ground(uav);
+            }
+            !has_failed
+        });
+        self.flying = flying;
+        while self.has_failed(self.in_line, tick) {
+            self.in_line += 1;
+        }
     }
 
     /// One exchange of packets: everyone in the air speaks, neighbours and the next UAV in line listen.
@@ -108,17 +140,17 @@ impl<'a> ChainMission<'a> {
 
     /// Every brain sees the same instant and asks; a dead one asks for nothing any more.
     pub fn decide(&mut self, tick: u64, seen: &[Observation], asked: &mut [Command]) {
-        let now_s = tick as f64 / TICKS_PER_S;
-        let is_dead =
-            |i| self.course.scenario.faults.dead.iter().any(|dead| dead.uav == i && dead.start_s <= now_s);
         self.flying.clear();
-        for (i, node) in self.nodes.iter_mut().enumerate() {
-            asked[i] = if is_dead(i) { Command::default() } else { node.decide(&seen[i]) };
+        for i in 0..self.nodes.len() {
+            asked[i] =
+                if self.has_failed(i, tick) { Command::default() } else { self.nodes[i].decide(&seen[i]) };
             if asked[i].airborne {
                 self.flying.push(i);
             }
         }
-        while self.in_line < asked.len() && (asked[self.in_line].airborne || is_dead(self.in_line)) {
+        while self.in_line < asked.len()
+            && (asked[self.in_line].airborne || self.has_failed(self.in_line, tick))
+        {
             self.in_line += 1;
         }
     }

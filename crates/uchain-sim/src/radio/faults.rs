@@ -87,12 +87,13 @@ pub fn receiver(
         let streams = [Source::BurstBack, Source::BurstFront].map(|source| seed.stream(index, source));
         receiver = Box::new(Bursty::new(receiver, streams, faults.burst_rate, faults.burst_packets));
     }
+    if packets.delay_ticks > 0 {
+        receiver = Box::new(Late::new(receiver, u64::from(packets.delay_ticks)));
+    }
+    // Around the delay: who is deaf does not hear what comes in while it is, whenever that was sent.
     let deaf: Vec<Deaf> = faults.deaf.iter().filter(|deaf| deaf.uav == robot).copied().collect();
     if !deaf.is_empty() {
         receiver = Box::new(OneWay { inner: receiver, deaf });
-    }
-    if packets.delay_ticks > 0 {
-        receiver = Box::new(Late::new(receiver, u64::from(packets.delay_ticks)));
     }
     receiver
 }
@@ -215,6 +216,23 @@ mod tests {
         let heard = [0, 4, 8, 12, 16].map(|tick| hear(&mut late, tick, Side::Back));
         assert_eq!(heard, [None, None, Some(0.0), Some(4.0), Some(8.0)]);
         assert_eq!(hear(&mut late, 16, Side::Front), None);
+    }
+
+    #[test]
+    fn a_deaf_uav_hears_no_late_packet_while_it_is_deaf_and_afterwards_what_was_sent_meanwhile() {
+        let packets = PacketParams { delay_ticks: 8, drop_rate: 0.0, ..PacketParams::default() };
+        let deaf = vec![Deaf { uav: 2, side: DeafSide::Back, start_s: 1.0, stop_s: Some(2.0) }];
+        let mut whole = receiver(Seed(1), 2, 0.0, &packets, &FaultConfig { deaf, ..FaultConfig::default() });
+        // A sample tells when it was sent.
+        let mut heard_at = |tick: u64| {
+            let heard = whole.receive(tick, Side::Back, tick as f32, Packet::default());
+            heard.map(|heard| heard.loss_db)
+        };
+        let heard: Vec<Option<f32>> = (0..=44).step_by(4).map(&mut heard_at).collect();
+        let (before, deaf, after) = (&heard[..5], &heard[5..10], &heard[10..]);
+        assert_eq!(before, [None, None, Some(0.0), Some(4.0), Some(8.0)]);
+        assert_eq!(deaf, [None; 5], "sent before it was deaf, two of them");
+        assert_eq!(after, [Some(32.0), Some(36.0)], "sent while it was deaf");
     }
 
     #[test]

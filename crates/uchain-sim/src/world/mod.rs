@@ -92,6 +92,14 @@ impl<'a> World<'a> {
         }
     }
 
+    /// A UAV that fails is on the ground at once: it stands, and is in nobody's way or sight.
+    pub fn ground(&mut self, uav: usize) {
+        if let Some(body) = self.bodies.get_mut(uav).filter(|body| body.airborne) {
+            body.steer(&Command::default(), TICK_S, &self.params);
+            self.crowd.sort(&self.bodies);
+        }
+    }
+
     /// One tick: free bodies glide, those within reach of a contact go through rapier.
     pub fn advance(&mut self) {
         self.contacts.advance(self.map, &self.crowd, &mut self.bodies);
