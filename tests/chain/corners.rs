@@ -1,7 +1,7 @@
 //! Heads come round the corners of the shipped scenarios.
 //!
-//! The gate flies 150 seeds of each. Of 3,000 (`uchain sweep corner --replicates 3000 --out corner`, then the least
-//! `head_reach_m` of `uchain report corner`; the same for `circuit`) none stays in a corner: at most 0.1 % do (95 %).
+//! The gate flies 150 seeds of each. Of 3,000 (`uchain sweep corner --replicates 3000 --out corner`, column
+//! `head_reach_m` of `corner/runs.parquet`; the same for `circuit`) none stays in a corner: at most 0.1 % do (95 %).
 
 use uchain_sim::{analyse::Summary, run::run};
 
