@@ -64,10 +64,14 @@ fn stderr(output: &Output) -> &str {
     std::str::from_utf8(&output.stderr).unwrap()
 }
 
+fn folder() -> TempDir {
+    tempfile::tempdir().unwrap()
+}
+
 /// The folder of small inputs with their right answers; `None`, said aloud, where it is absent. In the gate absence is a
 /// failure.
 fn shared_cases() -> Option<PathBuf> {
-    let cases = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/cases");
+    let cases = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/cases");
     if cases.is_dir() {
         return Some(cases);
     }
@@ -78,10 +82,6 @@ fn shared_cases() -> Option<PathBuf> {
     );
     eprintln!("skipped: {} is not there", cases.display());
     None
-}
-
-fn folder() -> TempDir {
-    tempfile::tempdir().unwrap()
 }
 
 /// Everything below a folder, sorted.

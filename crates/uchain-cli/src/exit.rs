@@ -33,7 +33,7 @@ pub(crate) enum Exit {
 /// The one table of exit codes; `--help` prints it.
 const TABLE: [(Exit, &str); 6] = [
     (Exit::Ok, "ok"),
-    (Exit::RunFailed, "run failed, or its results could not be written"),
+    (Exit::RunFailed, "run failed, its results could not be written, or a sweep is not complete"),
     (Exit::Usage, "usage: wrong arguments, or an output folder that is not to be touched"),
     (
         Exit::InputInvalid,
@@ -103,6 +103,9 @@ pub(crate) enum Failure {
     Design(DesignError),
     #[error(transparent)]
     Sweep(FolderError),
+    /// A sweep that had begun; what is done stays, and --resume goes on.
+    #[error(transparent)]
+    Incomplete(FolderError),
     #[error("run {run} differs: its digest was {then}, now it is {now}")]
     Otherwise { run: u64, then: String, now: String },
 }
@@ -134,7 +137,6 @@ fn sweep_exit(error: &FolderError) -> Exit {
         | FolderError::Occupied { .. }
         | FolderError::Busy { .. } => Exit::Usage,
         FolderError::NoSweep { .. }
-        | FolderError::Complete { .. }
         | FolderError::Damaged { .. }
         | FolderError::Contradiction { .. }
         | FolderError::Missing { .. }
@@ -163,6 +165,7 @@ impl Failure {
             }
             Self::BareMap { .. } | Self::Occupied { .. } | Self::Folder { .. } => Exit::Usage,
             Self::Interrupted
+            | Self::Incomplete(FolderError::Interrupted)
             | Self::Run(RunError::Record(RecordError::Interrupted { .. }))
             | Self::Cut { error: RunError::Record(RecordError::Interrupted { .. }), .. } => Exit::Interrupted,
             Self::Differ | Self::Otherwise { .. } => Exit::Differ,
@@ -174,6 +177,7 @@ impl Failure {
             | Self::Paper(_)
             | Self::Run(_)
             | Self::Cut { .. }
+            | Self::Incomplete(_)
             | Self::Tape { .. } => Exit::RunFailed,
         }
     }

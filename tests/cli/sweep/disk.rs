@@ -69,7 +69,7 @@ fn a_folder_that_cannot_be_written_is_an_error_before_the_first_run() {
 }
 
 #[test]
-fn a_damaged_chunk_is_named_and_the_others_stay() {
+fn a_damaged_chunk_is_named_and_flown_again_and_the_others_stay() {
     let here = folder();
     let reference = reference(here.path());
     ok(uchain(here.path(), &small("part", &["--shard", "1/2", "--quiet"])));
@@ -78,8 +78,9 @@ fn a_damaged_chunk_is_named_and_the_others_stay() {
     let mut flipped = whole.clone();
     flipped[whole.len() / 2] ^= 1;
     let other = fs::read(here.path().join("part/chunks/00000002.jsonl")).unwrap();
-    let others: Vec<_> = files(&here.path().join("part")).into_iter().filter(|file| *file != chunk).collect();
-    let before: Vec<_> = others.iter().map(|file| fs::read(file).ok()).collect();
+    let all = files(&here.path().join("part"));
+    let contents = || all.iter().map(|file| fs::read(file).ok()).collect::<Vec<_>>();
+    let before = contents();
     let damages: [(&[u8], &str); 6] = [
         (&whole[..whole.len() - 1], "it is cut short"),
         (&whole[..whole.len() / 2], "it is cut short"),
@@ -90,21 +91,41 @@ fn a_damaged_chunk_is_named_and_the_others_stay() {
     ];
     for (bytes, why) in damages {
         fs::write(&chunk, bytes).unwrap();
-        let resumed = uchain(here.path(), &small("part", &["--resume", "--shard", "1/2", "--quiet"]));
-        if why.is_empty() {
-            ok(resumed);
-            continue;
-        }
-        assert_eq!(resumed.status.code(), Some(3), "{}", stderr(&resumed));
-        let wanted = format!(
-            "part/chunks/00000004.jsonl is damaged: {why}; remove it, and --resume flies its runs again"
-        );
-        assert!(stderr(&resumed).contains(&wanted), "{}", stderr(&resumed));
-        assert_eq!(others.iter().map(|file| fs::read(file).ok()).collect::<Vec<_>>(), before, "{why}");
+        let is_whole = why.is_empty();
+        // Nobody but the sweep itself may mend it.
+        let merged = uchain(here.path(), &["merge", "part", "part", "--out", "merged"]);
+        assert_eq!(merged.status.code(), Some(3));
+        assert_eq!(stderr(&merged).contains("is damaged"), !is_whole, "{}", stderr(&merged));
+        let resumed = ok(uchain(here.path(), &small("part", &["--resume", "--shard", "1/2", "--quiet"])));
+        let wanted =
+            format!("warning: part/chunks/00000004.jsonl is damaged: {why}; --resume flies its runs again\n");
+        assert_eq!(stderr(&resumed), if is_whole { "" } else { &wanted });
+        assert_eq!(contents(), before, "{why}");
     }
-    fs::remove_file(&chunk).unwrap();
     ok(uchain(here.path(), &small("part", &["--resume", "--quiet"])));
     assert!(table(&here.path().join("part")) == reference);
+}
+
+#[test]
+fn a_sweep_that_cannot_go_on_exits_with_1_and_goes_on_once_it_can() {
+    let here = folder();
+    let reference = reference(here.path());
+    ok(uchain(here.path(), &small("part", &["--shard", "1/2", "--quiet"])));
+    // A folder where a chunk has to go.
+    let chunk = here.path().join("part/chunks/00000003.jsonl");
+    fs::create_dir(&chunk).unwrap();
+    fs::write(chunk.join("letter.txt"), "dear").unwrap();
+    let stopped = uchain(here.path(), &small("part", &["--resume", "--quiet"]));
+    assert_eq!(stopped.status.code(), Some(1), "{}", stderr(&stopped));
+    assert!(stderr(&stopped).contains("part/chunks/00000003.jsonl: cannot read"), "{}", stderr(&stopped));
+    fs::remove_dir_all(&chunk).unwrap();
+    ok(uchain(here.path(), &small("part", &["--resume", "--quiet"])));
+    assert!(table(&here.path().join("part")) == reference);
+    // What a process left that was killed while it wrote its first file.
+    fs::create_dir(here.path().join("early")).unwrap();
+    fs::write(here.path().join("early/sweep.json.part"), "{\"version\":").unwrap();
+    ok(uchain(here.path(), &small("early", &["--resume", "--quiet"])));
+    assert!(table(&here.path().join("early")) == reference);
 }
 
 #[test]

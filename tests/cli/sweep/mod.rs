@@ -1,6 +1,8 @@
 /// Processes that are killed.
 #[cfg(target_os = "linux")]
 mod crash;
+/// Keys and tables of values, as people and programs write them.
+mod design;
 /// Disks that are full, folders that cannot be written, files that are damaged.
 #[cfg(target_os = "linux")]
 mod disk;
@@ -8,6 +10,8 @@ mod disk;
 mod refuse;
 /// What comes after: `report`, `repro`, recordings.
 mod rows;
+/// What stands in a table is what was flown, bit for bit, and all of it.
+mod whole;
 
 use std::{
     fs,

@@ -44,14 +44,22 @@ fn work(
     let folder = Folder::begin(&asked.out, Manifest::of(sweep, walls), scenes, asked.resume)?;
     // From here on as the folder has it: a row says nothing of where the files lie that were read.
     let sweep = folder.sweep()?;
+    match complete(asked, &folder, &sweep) {
+        Ok((totals, is_complete)) => Ok((folder, sweep, totals, is_complete)),
+        Err(error) => Err(Failure::Incomplete(error)),
+    }
+}
+
+/// Flies what is missing; says in the end whether all runs are there, or only those of a shard.
+fn complete(asked: &Sweep, folder: &Folder, sweep: &sweep::Sweep) -> Result<(Totals, bool), FolderError> {
     let shard = asked.shard.unwrap_or(Shard { number: 1, of: 1 });
     let progress = Progress::new(sweep.runs() / shard.of, asked.say.progress());
-    let flown = folder.fly(&sweep, Job { shard, record: asked.record.into(), watch: &progress });
+    let flown = folder.fly(sweep, Job { shard, record: asked.record.into(), watch: &progress });
     progress.clear();
     flown?;
-    match folder.finish(&sweep)? {
-        Some(totals) => Ok((folder, sweep, totals, true)),
-        None => folder.totals(&sweep).map(|totals| (folder, sweep, totals, false)).map_err(Failure::from),
+    match folder.finish(sweep)? {
+        Some(totals) => Ok((totals, true)),
+        None => folder.totals(sweep).map(|totals| (totals, false)),
     }
 }
 

@@ -6,7 +6,7 @@ use std::{
 };
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use uchain_sim::sweep::folder::Watch;
+use uchain_sim::sweep::folder::{FolderError, Watch};
 
 use crate::watch::interrupted;
 
@@ -40,6 +40,10 @@ impl Progress {
 impl Watch for Progress {
     fn stop(&self) -> bool {
         interrupted()
+    }
+
+    fn again(&self, why: &FolderError) {
+        self.bar.suspend(|| eprintln!("warning: {why}"));
     }
 
     fn done(&self, runs: u64, failed: u64, now: bool) {

@@ -51,11 +51,15 @@ impl Scenario {
     }
 
     pub(super) fn from_document(document: &Document<'_>) -> Result<Self, ConfigError> {
-        mission::is_chain(document)?;
-        let scenario = Self::deserialize(ValueDeserializer::from(document.root()))
-            .map_err(|error| explain(&error, document))?;
+        let scenario = Self::unchecked(document)?;
         check::values(&scenario, document)?;
         Ok(scenario)
+    }
+
+    /// With values of the right types, whatever they are.
+    pub(super) fn unchecked(document: &Document<'_>) -> Result<Self, ConfigError> {
+        mission::is_chain(document)?;
+        Self::deserialize(ValueDeserializer::from(document.root())).map_err(|error| explain(&error, document))
     }
 }
 

@@ -19,7 +19,11 @@ pub use course::{Course, Spawn};
 #[cfg(feature = "sweep")]
 pub(crate) use diagnose::shorten;
 pub use diagnose::{Choices, ConfigError, Origin};
+#[cfg(feature = "sweep")]
+pub(crate) use document::plain_key;
 pub use mission::{About, ExploreScenario, Mission, Site, TeamConfig, VehicleKind, describe};
+#[cfg(feature = "sweep")]
+pub(crate) use mission::{ValueKind, kind_of, resolve};
 pub use scenario::{
     ChainConfig, CorridorConfig, MapConfig, MovingAiConfig, PilotStep, RosConfig, Scenario, WallsConfig,
 };

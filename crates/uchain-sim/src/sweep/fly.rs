@@ -122,7 +122,7 @@ impl Sweep {
 }
 
 /// A panic as words: one run that goes wrong takes no other with it.
-fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+pub(super) fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     // What is borrowed is immutable, or a lock that holds nothing half done, or given up with the run.
     catch_unwind(AssertUnwindSafe(work)).map_err(|panic| format!("panicked: {}", words(&*panic)))
 }

@@ -6,7 +6,6 @@
 //!
 //! [`Sweep::each`] keeps its results in memory; [`folder`] keeps them on disk, whatever happens to the process.
 
-mod axis;
 mod cell;
 mod design;
 mod fly;
@@ -20,16 +19,15 @@ use std::hash::Hasher as _;
 use twox_hash::XxHash64;
 
 use crate::{
-    config::{About, ConfigError, Mission, Source, describe},
+    config::{About, ConfigError, Mission, Source, ValueKind, describe, kind_of},
     map::Map,
     seed::Seed,
 };
-use design::{combined, set_and_varied};
+use design::{combined, refuse_overlaps};
 use shelf::Shelf;
 
-pub use axis::TABLE_MAX_BYTES;
 pub use cell::{Cell, Column, Kind};
-pub use design::{Design, DesignError, DesignText, RUNS_MAX};
+pub use design::{Design, DesignError, DesignText, RUNS_MAX, TABLE_MAX_BYTES, Written};
 #[cfg(feature = "paper")]
 pub(crate) use fly::each_of;
 pub use fly::{Flown, Onlooker, PoolError, fly, on_threads};
@@ -56,6 +54,8 @@ pub struct Sweep {
     replicates: u64,
     seed: u64,
     about: About,
+    /// What the values of every varied key are.
+    kinds: Vec<ValueKind>,
     shelf: Shelf,
 }
 
@@ -76,7 +76,8 @@ impl Sweep {
     /// ```
     ///
     /// # Errors
-    /// No runs, or more than [`RUNS_MAX`]; a key that is both set and varied; a first variant that is no scenario.
+    /// No runs, or more than [`RUNS_MAX`]; a key that is written twice, or lies within another one, however they are
+    /// spelled; a first variant that is no scenario.
     pub fn new(
         source: Source,
         sets: Vec<String>,
@@ -92,10 +93,11 @@ impl Sweep {
             let product = format!("{} variants × {replicates} replicates", design.product());
             return Err(DesignError::TooMany { runs, product });
         }
-        set_and_varied(&design, &sets)?;
-        let about =
-            describe(&source, &combined(&design, &sets, 0)).map_err(|error| design.place(0, error))?;
-        Ok(Self { source, sets, design, replicates, seed, about, shelf: Shelf::default() })
+        refuse_overlaps(&design, &source, &sets)?;
+        let first = combined(&design, &sets, 0);
+        let about = describe(&source, &first).map_err(|error| design.place(0, error))?;
+        let kinds = design.keys().map(|key| kind_of(&source, &first, key)).collect();
+        Ok(Self { source, sets, design, replicates, seed, about, kinds, shelf: Shelf::default() })
     }
 
     /// Checks keys and values of every variant, and gives a hash of the walls of the first that can be laid out. What only shows in the map (a base in rock, UAVs that overlap) fails

@@ -47,15 +47,11 @@ pub struct Failures {
     pub others: u64,
 }
 
-/// Columns a report is about: the numbers of the summary, but for what is varied.
+/// Columns a report is about: every number of the summary, whatever is varied.
 pub fn metrics(sweep: &Sweep) -> Vec<Column> {
     let mut columns = sweep.columns();
-    let is_varied = |name: &str| sweep.design().keys().any(|key| key.rsplit('.').next() == Some(name));
-    columns.retain(|column| {
-        column.is_result
-            && !is_varied(&column.name)
-            && matches!(column.kind, Kind::Count | Kind::Number | Kind::Single)
-    });
+    let is_number = |column: &Column| matches!(column.kind, Kind::Count | Kind::Number | Kind::Single);
+    columns.retain(|column| column.is_result && is_number(column));
     columns
 }
 

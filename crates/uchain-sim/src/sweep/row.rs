@@ -1,8 +1,11 @@
 //! One run as a row: the run, its variant, and what it came to under the names of `summary.json`. Lists that differ in
 //! length from run to run stay lists; what a report needs of them stands beside them.
 
-use super::{Cell, Column, Flown, Kind, Run, Sweep, axis::ValueKind};
-use crate::analyse::{LinkSummary, Summary, explore::ExploreSummary};
+use super::{Cell, Column, Flown, Kind, Run, Sweep};
+use crate::{
+    analyse::{LinkSummary, Summary, explore::ExploreSummary},
+    config::ValueKind,
+};
 
 /// A result: its name, what it is, and where it is found.
 type Field<S> = (&'static str, Kind, fn(&S) -> Cell);
@@ -104,11 +107,11 @@ impl Sweep {
     pub fn columns(&self) -> Vec<Column> {
         let column = |name: &str, kind, is_result| Column { name: name.to_owned(), kind, is_result };
         let mut columns: Vec<Column> = RUN.iter().map(|(name, kind)| column(name, *kind, false)).collect();
-        for (key, kind) in self.design.keys().zip(self.design.kinds()) {
+        for (key, kind) in self.design.keys().zip(&self.kinds) {
             let kind = match kind {
                 ValueKind::Whole => Kind::Count,
                 ValueKind::Number => Kind::Number,
-                ValueKind::Text => Kind::Text,
+                ValueKind::Other => Kind::Text,
             };
             columns.push(column(key, kind, false));
         }
@@ -125,8 +128,8 @@ impl Sweep {
     pub fn row(&self, run: Run, flown: &Result<Flown, String>) -> Vec<Cell> {
         let mut row: Vec<Cell> =
             [run.index, run.variant, run.replicate, run.seed].into_iter().map(Cell::from).collect();
-        for (value, kind) in self.design.values(run.variant).into_iter().zip(self.design.kinds()) {
-            row.push(value.map_or(Cell::Absent, |text| cell(&text, kind)));
+        for (value, kind) in self.design.values(run.variant).into_iter().zip(&self.kinds) {
+            row.push(value.map_or(Cell::Absent, |text| cell(&text, *kind)));
         }
         row.push(match flown {
             Ok(flown) => failure(flown).into(),
@@ -144,12 +147,16 @@ impl Sweep {
     }
 }
 
-/// A varied value.
+/// A varied value, in a column whose type is its key's, whatever the value.
 fn cell(text: &str, kind: ValueKind) -> Cell {
     match (kind, text.parse()) {
         (ValueKind::Whole, Ok(toml::Value::Integer(number))) => Cell::Count(number),
         (ValueKind::Number, Ok(toml::Value::Integer(number))) => Cell::Number(number as f64),
         (ValueKind::Number, Ok(toml::Value::Float(number))) => number.into(),
-        _ => text.into(),
+        // A word is the same with quotes and without.
+        (ValueKind::Other, Ok(toml::Value::String(word))) => Cell::Text(word),
+        (ValueKind::Other, _) => text.into(),
+        // A variant with such a value is no scenario.
+        _ => Cell::Absent,
     }
 }

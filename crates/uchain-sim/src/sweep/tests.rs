@@ -78,3 +78,26 @@ fn columns_have_different_names_and_those_of_the_summary() {
         }
     }
 }
+
+#[test]
+fn the_readme_names_every_column_with_its_type() {
+    let names = |scenario: &str, kind: Kind| {
+        let sweep = Sweep::new(builtin(scenario).unwrap(), Vec::new(), Design::default(), 1, 1).unwrap();
+        let results = sweep.columns().into_iter().filter(|column| column.is_result && column.kind == kind);
+        results.map(|column| format!("`{}`", column.name)).collect::<Vec<_>>().join(", ")
+    };
+    let rows = [
+        (Kind::Count, "int64", "`run`, `variant`, `replicate`, `seed`; varied keys that are whole numbers"),
+        (Kind::Number, "double", "other varied numbers"),
+        (Kind::Single, "float", ""),
+        (Kind::Text, "string", "all else that is varied; `failed`"),
+        (Kind::Numbers, "list of double", ""),
+        (Kind::Singles, "list of float", ""),
+    ];
+    let readme = include_str!("../../../../README.md");
+    for (kind, name, every) in rows {
+        let line =
+            format!("| {name} | {every} | {} | {} |\n", names("straight", kind), names("apartment", kind));
+        assert!(readme.contains(&line), "README.md, Thousands of runs, lacks the line\n{line}");
+    }
+}

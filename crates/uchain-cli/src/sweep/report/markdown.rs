@@ -49,6 +49,11 @@ pub(super) fn write(
     if !constants.is_empty() {
         let _ = writeln!(text, "\nThe same in all runs: {}.", constants.join(", "));
     }
+    let is_absent = |metric: &&Metric| metric.cells.iter().all(Option::is_none);
+    let absent: Vec<&str> = metrics.iter().filter(is_absent).map(|metric| metric.name.as_str()).collect();
+    if !absent.is_empty() && sweep.variants() <= CELLS_MAX as u64 {
+        let _ = writeln!(text, "\nIn no run: {}.", absent.join(", "));
+    }
     if totals.failed > 0 {
         failed(&mut text, failures, replicates);
     }

@@ -2,6 +2,7 @@
 //! a preset.
 
 mod merge;
+mod path;
 
 use std::ops::Range;
 
@@ -17,21 +18,20 @@ use super::{
 };
 
 use merge::{fill_in, map_spans};
+use path::{path_to, steps};
+
+#[cfg(feature = "sweep")]
+pub(crate) use path::plain_key;
 
 /// The parsed text. A value that came by `--set` number `i` has a span of its own behind the text,
 /// which starts at `text.len() + 1 + i`; behind those lie the spans of the preset's text.
 pub(super) struct Document<'i> {
     source: &'i Source,
     sets: &'i [String],
+    /// Where each of `sets` leads.
+    paths: Vec<Vec<String>>,
     preset: Option<Preset>,
     root: Spanned<DeValue<'i>>,
-}
-
-/// One step on the way to a value.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Step<'a> {
-    Key(&'a str),
-    Index(usize),
 }
 
 impl<'i> Document<'i> {
@@ -44,7 +44,7 @@ impl<'i> Document<'i> {
         })?;
         let span = table.span();
         let root = Spanned::new(span, DeValue::Table(table.into_inner()));
-        let mut document = Self { source, sets, preset: None, root };
+        let mut document = Self { source, sets, paths: Vec::new(), preset: None, root };
         for (index, assignment) in sets.iter().enumerate() {
             document.set(index, assignment)?;
         }
@@ -97,13 +97,8 @@ impl<'i> Document<'i> {
         let Some((path, text)) = assignment.split_once('=') else {
             return Err(wrong("expected key=value, such as equalize.v_max_mps=0.2".to_owned()));
         };
-        let mut steps: Vec<&str> = path.split('.').map(str::trim).collect();
-        if let ["map", key] = steps[..] {
-            // `map.cell_m` is that of whatever kind of map it is.
-            let kind = self.kind_of_map().filter(|kind| holds(&format!("map.{kind}"), key));
-            steps.splice(1..1, kind);
-        }
-        if steps.iter().any(|step| step.is_empty()) || steps.len() > 8 {
+        let steps = self.resolve(path);
+        if steps.iter().any(String::is_empty) || steps.len() > 8 {
             return Err(wrong("expected key=value with a key such as equalize.v_max_mps".to_owned()));
         }
         let start = self.source.text.len() + 1 + index;
@@ -112,14 +107,14 @@ impl<'i> Document<'i> {
         map_spans(&mut value, &|_| start..start + 1);
 
         let mut here = &mut self.root;
-        for (depth, &step) in steps.iter().enumerate() {
+        for (depth, step) in steps.iter().enumerate() {
             let parent = shorten(&steps.get(..depth).unwrap_or_default().join("."));
             here = match here.get_mut() {
                 DeValue::Table(table) if table.is_empty() && step.parse::<usize>().is_ok() => {
                     return Err(wrong(not_an_entry(&parent, 0, step)));
                 }
                 DeValue::Table(table) => {
-                    let key = Spanned::new(start..start + 1, step.into());
+                    let key = Spanned::new(start..start + 1, step.clone().into());
                     let empty = DeValue::Table(DeTable::new());
                     table.entry(key).or_insert_with(|| Spanned::new(start..start + 1, empty))
                 }
@@ -132,7 +127,27 @@ impl<'i> Document<'i> {
             };
         }
         *here = value;
+        self.paths.push(steps);
         Ok(())
+    }
+
+    /// The steps to where a key leads that was typed.
+    pub(super) fn resolve(&self, typed: &str) -> Vec<String> {
+        let mut steps = steps(typed);
+        if let [map, key] = &steps[..]
+            && map == "map"
+        {
+            // `map.cell_m` is that of whatever kind of map it is.
+            let kind = self.kind_of_map().filter(|kind| holds(&format!("map.{kind}"), key));
+            steps.splice(1..1, kind.map(str::to_owned));
+        }
+        steps
+    }
+
+    /// Where each of the assignments leads, in their order.
+    #[cfg(feature = "sweep")]
+    pub(super) fn paths(&self) -> &[Vec<String>] {
+        &self.paths
     }
 
     /// The one table within `map`, as far as there is only one we know.
@@ -220,53 +235,15 @@ impl<'i> Document<'i> {
     /// value that came by `--set` it is the path given there.
     pub(super) fn path_of(&self, span: &Range<usize>) -> String {
         if let Some((path, _)) = self.set_at(span).and_then(|set| set.split_once('=')) {
-            return shorten(path);
+            return shorten(&steps(path).join("."));
         }
-        let mut steps = Vec::new();
-        search(&self.root, span, &mut steps);
-        let words: Vec<String> = steps
-            .iter()
-            .map(|step| match step {
-                Step::Key(key) => shorten(key),
-                Step::Index(index) => index.to_string(),
-            })
-            .collect();
-        words.join(".")
+        path_to(&self.root, span)
     }
 
     /// The assignment a span belongs to.
     fn set_at(&self, span: &Range<usize>) -> Option<&'i String> {
         self.sets.get(span.start.checked_sub(self.source.text.len() + 1)?)
     }
-}
-
-/// Depth-first; the parser bounds the depth (80).
-fn search<'a>(value: &'a Spanned<DeValue<'_>>, span: &Range<usize>, steps: &mut Vec<Step<'a>>) -> bool {
-    if value.span() == *span {
-        return true;
-    }
-    match value.get_ref() {
-        DeValue::Table(table) => {
-            for (key, value) in table {
-                steps.push(Step::Key(key.get_ref()));
-                if key.span() == *span || search(value, span, steps) {
-                    return true;
-                }
-                steps.pop();
-            }
-        }
-        DeValue::Array(items) => {
-            for (index, value) in items.iter().enumerate() {
-                steps.push(Step::Index(index));
-                if search(value, span, steps) {
-                    return true;
-                }
-                steps.pop();
-            }
-        }
-        _ => {}
-    }
-    false
 }
 
 fn whole(source: &Source) -> Origin {

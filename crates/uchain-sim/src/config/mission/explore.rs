@@ -173,6 +173,13 @@ impl ExploreScenario {
     }
 
     pub(super) fn from_document(document: &Document<'_>) -> Result<Self, ConfigError> {
+        let scenario = Self::unchecked(document)?;
+        scenario.check(document)?;
+        Ok(scenario)
+    }
+
+    /// With values of the right types, whatever they are.
+    pub(super) fn unchecked(document: &Document<'_>) -> Result<Self, ConfigError> {
         if let Some(key) = CHAIN_ONLY.iter().find(|key| document.has(key)) {
             return Err(belongs_to_a_chain(document, key));
         }
@@ -183,9 +190,7 @@ impl ExploreScenario {
         let params = ExploreParams::deserialize(ValueDeserializer::from(params))
             .map_err(|error| with_team_keys(explain(&error, document)))?;
         let Rest { name, description, duration_s, map } = rest;
-        let scenario = Self { name, description, duration_s, map, team, params };
-        scenario.check(document)?;
-        Ok(scenario)
+        Ok(Self { name, description, duration_s, map, team, params })
     }
 
     /// The first value outside its range.

@@ -1,6 +1,8 @@
 //! What a scenario is about: a chain in a tunnel, or an exploration.
 
 mod explore;
+#[cfg(feature = "sweep")]
+mod keys;
 mod site;
 mod starts;
 #[cfg(test)]
@@ -9,6 +11,8 @@ mod tests;
 #[cfg(feature = "schema")]
 pub(super) use explore::CHAIN_ONLY;
 pub use explore::{ExploreScenario, TeamConfig, VehicleKind};
+#[cfg(feature = "sweep")]
+pub(crate) use keys::{ValueKind, kind_of, resolve};
 pub use site::Site;
 
 use super::{ConfigError, Course, Scenario, Source, document::Document};

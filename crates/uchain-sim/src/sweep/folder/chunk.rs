@@ -16,7 +16,7 @@ const ROWS_MAX: u64 = 1000;
 /// Longest file (bytes); a chain of 1000 UAVs leaves about 30 kB a row.
 const BYTES_MAX: u64 = 256 << 20;
 
-const REMEDY: &str = "remove it, and --resume flies its runs again";
+const REMEDY: &str = "--resume flies its runs again";
 
 /// Rows of a chunk: a function of the number of runs alone.
 pub(super) fn rows(runs: u64) -> u64 {
@@ -112,4 +112,50 @@ pub(super) fn read(
         return Err(damaged("its rows are not those of its runs"));
     }
     Ok(rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::seed::{Seed, Source};
+
+    /// Finite floats of all sizes.
+    fn floats(count: usize) -> impl Iterator<Item = f64> {
+        let mut stream = Seed(1).stream(0, Source::Choice);
+        let mut bits = move || f64::from_bits(u64::from(stream.bits()) << 32 | u64::from(stream.bits()));
+        std::iter::from_fn(move || Some(bits())).filter(|number| number.is_finite()).take(count)
+    }
+
+    #[test]
+    fn every_bit_of_a_number_comes_back_from_the_disk() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("0.jsonl");
+        let rows: Vec<Vec<Cell>> = floats(20_000)
+            .enumerate()
+            .map(|(run, number)| {
+                // Such as a run comes to, and any other.
+                let usual = (number.to_bits() >> 12) as f64 * 1e-13;
+                let list = Cell::Numbers(vec![Some(usual), None, Some(number)]);
+                vec![run.into(), number.into(), usual.into(), (usual as f32).into(), list]
+            })
+            .collect();
+        let runs = 0..rows.len() as u64;
+        write(&path, "it", &runs, &rows).unwrap();
+        let bits = |rows: &[Vec<Cell>]| -> Vec<u64> {
+            let numbers = |cell: &Cell| match cell {
+                Cell::Numbers(list) => list.iter().flatten().map(|number| number.to_bits()).collect(),
+                cell => cell.number().map(f64::to_bits).into_iter().collect::<Vec<_>>(),
+            };
+            rows.iter().flatten().flat_map(numbers).collect()
+        };
+        let back = read(&path, "it", &runs, 5).unwrap();
+        let (wanted, got) = (bits(&rows), bits(&back));
+        assert_eq!(wanted.len(), 6 * rows.len());
+        let differ = wanted.iter().zip(&got).filter(|(a, b)| a != b).count();
+        assert!(back == rows && differ == 0, "{differ} of {} numbers differ", wanted.len());
+
+        // A digit less is another number for most of them: the comparison sees the last bit.
+        let short = floats(20_000).filter(|number| format!("{number:.15e}").parse() != Ok(*number)).count();
+        assert!(short > 5_000, "{short}");
+    }
 }

@@ -50,12 +50,6 @@ pub enum FolderError {
         /// The folder.
         folder: PathBuf,
     },
-    /// All runs are in the table already.
-    #[error("{} is complete: its runs are in runs.parquet", folder.display())]
-    Complete {
-        /// The folder.
-        folder: PathBuf,
-    },
     /// Another process writes there.
     #[error("{}: another process works on this sweep", folder.display())]
     Busy {

@@ -46,6 +46,8 @@ pub trait Watch: Sync {
     fn stop(&self) -> bool;
     /// So many more runs are on the disk, so many of them failed; `now` if they were flown just now.
     fn done(&self, runs: u64, failed: u64, now: bool);
+    /// Runs that were on the disk cannot be read, and are flown again; `why` names the file.
+    fn again(&self, why: &FolderError);
 }
 
 /// What to fly, and for whom.
@@ -120,21 +122,26 @@ impl<W: Write> Recorder<ExploreFrame> for Tape<W> {
 
 impl Folder {
     /// Flies what is missing of a shard, on the threads of [`on_threads`](crate::sweep::on_threads). What is there is
-    /// read first.
+    /// read first; a chunk that is damaged is flown again.
     ///
     /// # Errors
-    /// A chunk that is there is damaged; one cannot be written; the caller asked to stop. Chunks that were finished stay.
+    /// A chunk cannot be read or written, or is gone in the end; the caller asked to stop. Chunks that were finished stay.
     pub fn fly(&self, sweep: &Sweep, job: Job<'_>) -> Result<(), FolderError> {
         if self.is_complete() {
             return Ok(());
         }
-        let (columns, first) = (sweep.columns(), job.shard.number.saturating_sub(1));
+        let columns = sweep.columns();
         let mut missing = Vec::new();
-        for chunk in
-            (first..self.chunks()).step_by(usize::try_from(job.shard.of).unwrap_or(usize::MAX).max(1))
-        {
+        for chunk in self.chunks_of(job.shard) {
             if self.chunk_path(chunk).exists() {
-                let rows = self.read_chunk(chunk, &columns)?;
+                let rows = match self.read_chunk(chunk, &columns) {
+                    Err(why @ FolderError::Damaged { .. }) => {
+                        job.watch.again(&why);
+                        missing.push(chunk);
+                        continue;
+                    }
+                    rows => rows?,
+                };
                 let place = columns.iter().position(|column| column.name == crate::sweep::row::FAILED);
                 let has_failed =
                     |row: &&Vec<_>| place.and_then(|place| row.get(place)) != Some(&super::Cell::Absent);
@@ -159,7 +166,26 @@ impl Folder {
         // What stopped the others says more than that they were stopped.
         let mut errors: Vec<FolderError> = done.into_iter().filter_map(Result::err).collect();
         let place = errors.iter().position(|error| !matches!(error, FolderError::Interrupted)).unwrap_or(0);
-        if errors.is_empty() { Ok(()) } else { Err(errors.swap_remove(place)) }
+        if errors.is_empty() { self.lacks(job.shard) } else { Err(errors.swap_remove(place)) }
+    }
+
+    /// An error if runs of a shard are not there, whoever took them away.
+    fn lacks(&self, shard: Shard) -> Result<(), FolderError> {
+        let chunks = self.chunks_of(shard).filter(|chunk| !self.chunk_path(*chunk).exists());
+        let missing: Vec<_> = chunks.map(|chunk| self.runs_of(chunk)).collect();
+        match missing.first() {
+            Some(first) if !self.is_complete() => Err(FolderError::Missing {
+                missing: missing.iter().map(|runs| runs.end - runs.start).sum(),
+                runs: self.manifest().runs,
+                first: first.start,
+            }),
+            _ => Ok(()),
+        }
+    }
+
+    fn chunks_of(&self, shard: Shard) -> impl Iterator<Item = u64> {
+        let (first, step) = (shard.number.saturating_sub(1), usize::try_from(shard.of).unwrap_or(usize::MAX));
+        (first..self.chunks()).step_by(step.max(1))
     }
 
     fn fly_chunk(
@@ -256,5 +282,9 @@ impl Watch for Until<'_> {
 
     fn done(&self, runs: u64, failed: u64, now: bool) {
         self.watch.done(runs, failed, now);
+    }
+
+    fn again(&self, why: &FolderError) {
+        self.watch.again(why);
     }
 }

@@ -1,11 +1,15 @@
 //! `sweep.json`: what is flown, so that it can be resumed, merged and flown again.
 
-use std::path::{Path, PathBuf};
+use std::{
+    fs::File,
+    io::{self, Read as _, Write as _},
+    path::{Path, PathBuf},
+};
 
 use serde::{Deserialize, Serialize};
 use twox_hash::XxHash64;
 
-use super::chunk;
+use super::{FolderError, MANIFEST, chunk, durable, table::Seal};
 use crate::{
     config::Source,
     sweep::{Design, DesignError, DesignText, Sweep},
@@ -13,6 +17,8 @@ use crate::{
 
 /// This version.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// Longest file (bytes): a table and a scenario, with room for their escapes.
+const MAX_BYTES: u64 = 128 << 20;
 
 /// What a sweep is: rows are a function of this and nothing else.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -46,6 +52,37 @@ pub(super) struct OnDisk {
     pub(super) manifest: Manifest,
     /// Where relative paths in the scenario start; where, not what is flown.
     pub(super) folder: PathBuf,
+    /// Of the table, from a moment before it has its name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) table: Option<Seal>,
+}
+
+impl OnDisk {
+    /// In this folder.
+    pub(super) fn read(folder: &Path) -> Result<Self, FolderError> {
+        let file = folder.join(MANIFEST);
+        let mut text = Vec::new();
+        match File::open(&file).and_then(|file| file.take(MAX_BYTES).read_to_end(&mut text)) {
+            Ok(_) => {}
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                return Err(FolderError::NoSweep { folder: folder.to_owned() });
+            }
+            Err(error) => return Err(FolderError::io(&file, "read")(error)),
+        }
+        serde_json::from_slice(&text).map_err(|error| FolderError::Damaged {
+            file,
+            why: error.to_string(),
+            remedy: "fly the sweep again, in another folder",
+        })
+    }
+
+    /// Into this folder, whole or not at all.
+    pub(super) fn write(&self, folder: &Path) -> Result<(), FolderError> {
+        let file = folder.join(MANIFEST);
+        let text =
+            serde_json::to_vec_pretty(self).map_err(|error| FolderError::io(&file, "write")(error.into()))?;
+        durable::write(&file, |out| out.write_all(&text).map_err(FolderError::io(&file, "write")))
+    }
 }
 
 impl Manifest {

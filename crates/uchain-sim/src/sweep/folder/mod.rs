@@ -15,9 +15,10 @@ mod totals;
 
 use std::{
     fs::{self, File, TryLockError},
-    io::{self, Read as _, Write as _},
+    io,
     ops::Range,
     path::{Path, PathBuf},
+    sync::OnceLock,
 };
 
 pub use error::FolderError;
@@ -28,7 +29,7 @@ pub use totals::Totals;
 
 use super::{Cell, Column, Sweep, row::FAILED};
 use manifest::OnDisk;
-use table::{Table, damaged};
+use table::{REMEDY, Table, damaged, seal_of};
 
 /// What is flown.
 const MANIFEST: &str = "sweep.json";
@@ -38,8 +39,6 @@ pub const TABLE: &str = "runs.parquet";
 const CHUNKS: &str = "chunks";
 /// Recordings, if any are asked for.
 const RECORDINGS: &str = "recordings";
-/// Longest `sweep.json` (bytes): a table and a scenario, with room for their escapes.
-const MANIFEST_MAX_BYTES: u64 = 128 << 20;
 
 /// A sweep's folder.
 #[derive(Debug)]
@@ -47,6 +46,8 @@ pub struct Folder {
     path: PathBuf,
     on_disk: OnDisk,
     hash: String,
+    /// Whether the bytes of the table were found to be those that were written.
+    is_checked: OnceLock<()>,
     /// Held as long as someone may write.
     _lock: Option<File>,
 }
@@ -76,7 +77,13 @@ impl Folder {
             if let Some(what) = there.on_disk.manifest.differs(&manifest) {
                 return Err(FolderError::Another { folder: folder(), what });
             }
-            let this = Self { _lock: lock(path)?, ..there };
+            let mut this = Self { _lock: lock(path)?, ..there };
+            // The sweep may have been carried elsewhere, and the files that it reads as well.
+            let scenes = absolute(scenes)?;
+            if this.on_disk.folder != scenes {
+                this.on_disk.folder = scenes;
+                this.on_disk.write(path)?;
+            }
             this.prepare()?;
             return Ok(this);
         }
@@ -96,23 +103,23 @@ impl Folder {
         fs::create_dir_all(path).map_err(FolderError::io(path, "make the folder"))?;
         durable::settle(path.parent().unwrap_or(path))?;
         let lock = lock(path)?;
-        let scenes = if scenes.as_os_str().is_empty() { Path::new(".") } else { scenes };
-        let scenes = std::path::absolute(scenes).map_err(FolderError::io(scenes, "find the folder"))?;
-        let on_disk = OnDisk { manifest, folder: scenes };
-        let file = path.join(MANIFEST);
-        let text = serde_json::to_vec_pretty(&on_disk)
-            .map_err(|error| FolderError::io(&file, "write")(error.into()))?;
-        durable::write(&file, |out| out.write_all(&text).map_err(FolderError::io(&file, "write")))?;
-        let hash = on_disk.manifest.hash();
-        let this = Self { path: path.to_owned(), on_disk, hash, _lock: lock };
+        let on_disk = OnDisk { manifest, folder: absolute(scenes)?, table: None };
+        on_disk.write(path)?;
+        let this = Self::of(path, on_disk, lock);
         this.prepare()?;
         Ok(this)
+    }
+
+    fn of(path: &Path, on_disk: OnDisk, lock: Option<File>) -> Self {
+        let hash = on_disk.manifest.hash();
+        Self { path: path.to_owned(), on_disk, hash, is_checked: OnceLock::new(), _lock: lock }
     }
 
     /// What a killed process may not have come to: a folder for chunks, and none once there is a table.
     fn prepare(&self) -> Result<(), FolderError> {
         if self.is_complete() {
-            return self.tidy();
+            // Chunks go for a table that is whole.
+            return self.table().and_then(|_| self.tidy());
         }
         let chunks = self.path.join(CHUNKS);
         fs::create_dir_all(&chunks).map_err(FolderError::io(&chunks, "make the folder"))?;
@@ -124,22 +131,7 @@ impl Folder {
     /// # Errors
     /// It holds no sweep, or cannot be read.
     pub fn open(path: &Path) -> Result<Self, FolderError> {
-        let file = path.join(MANIFEST);
-        let mut text = Vec::new();
-        match File::open(&file).and_then(|file| file.take(MANIFEST_MAX_BYTES).read_to_end(&mut text)) {
-            Ok(_) => {}
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                return Err(FolderError::NoSweep { folder: path.to_owned() });
-            }
-            Err(error) => return Err(FolderError::io(&file, "read")(error)),
-        }
-        let on_disk: OnDisk = serde_json::from_slice(&text).map_err(|error| FolderError::Damaged {
-            file,
-            why: error.to_string(),
-            remedy: "fly the sweep again, in another folder",
-        })?;
-        let hash = on_disk.manifest.hash();
-        Ok(Self { path: path.to_owned(), on_disk, hash, _lock: None })
+        Ok(Self::of(path, OnDisk::read(path)?, None))
     }
 
     /// What is flown.
@@ -163,6 +155,23 @@ impl Folder {
     /// Whether the table is there, and with it every run.
     pub fn is_complete(&self) -> bool {
         self.table_path().exists()
+    }
+
+    /// The table, whose bytes are those that were written.
+    fn table(&self) -> Result<Table, FolderError> {
+        let path = self.table_path();
+        if self.is_checked.get().is_none() {
+            // Read anew: this process may have written the table since it began.
+            let seal = OnDisk::read(&self.path)?.table;
+            let now = if seal.is_some() { Some(seal_of(&path)?) } else { None };
+            if now != seal {
+                let why = "its checksum is not that in sweep.json".to_owned();
+                return Err(FolderError::Damaged { file: path, why, remedy: REMEDY });
+            }
+            // Another thread may have been faster.
+            let _ = self.is_checked.set(());
+        }
+        Table::open(&path)
     }
 
     fn table_path(&self) -> PathBuf {
@@ -213,9 +222,7 @@ impl Folder {
         let words = |name: &str| -> Result<Option<String>, FolderError> {
             let place = columns.iter().position(|column| column.name == name).unwrap_or(usize::MAX);
             let cell = if let (true, Some(column)) = (self.is_complete(), columns.get(place)) {
-                Table::open(&self.table_path())?
-                    .cell(column, run)
-                    .map_err(|e| damaged(&self.table_path(), &e))?
+                self.table()?.cell(column, run).map_err(|e| damaged(&self.table_path(), &e))?
             } else {
                 let chunk = run / self.manifest().chunk_rows.max(1);
                 if !self.chunk_path(chunk).exists() {
@@ -243,7 +250,7 @@ impl Folder {
         column: &Column,
     ) -> Result<impl Iterator<Item = Result<Vec<Cell>, FolderError>>, FolderError> {
         let path = self.table_path();
-        let table = Table::open(&path)?;
+        let table = self.table()?;
         let cells: Vec<_> = (0..table.groups()).collect();
         let column = column.clone();
         Ok(cells
@@ -267,6 +274,12 @@ fn stranger(path: &Path) -> Result<Option<String>, FolderError> {
         }
     }
     Ok(None)
+}
+
+/// Where relative paths start, wherever a process stands.
+fn absolute(scenes: &Path) -> Result<PathBuf, FolderError> {
+    let scenes = if scenes.as_os_str().is_empty() { Path::new(".") } else { scenes };
+    std::path::absolute(scenes).map_err(FolderError::io(scenes, "find the folder"))
 }
 
 /// One process at a time. The system forgets the lock of a process that is killed.

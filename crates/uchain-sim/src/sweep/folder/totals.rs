@@ -6,7 +6,8 @@ use twox_hash::XxHash64;
 
 use super::{
     Folder, FolderError, MANIFEST, durable,
-    table::{Table, Writer, cannot_write, damaged},
+    manifest::OnDisk,
+    table::{REMEDY, Seal, Sealing, Writer, cannot_write, damaged},
 };
 use crate::sweep::{Cell, Column, Sweep, row::FAILED};
 
@@ -77,7 +78,7 @@ impl Folder {
             return Ok(sum.totals());
         }
         let path = self.table_path();
-        let table = Table::open(&path)?;
+        let table = self.table()?;
         for group in 0..table.groups() {
             let read =
                 |place: usize| columns.get(place).map_or(Ok(Vec::new()), |column| table.cells(column, group));
@@ -90,11 +91,7 @@ impl Folder {
         }
         if sum.runs != self.manifest().runs {
             let why = format!("it has {} rows, not {}", sum.runs, self.manifest().runs);
-            return Err(FolderError::Damaged {
-                file: path,
-                why,
-                remedy: "remove it and fly the sweep again",
-            });
+            return Err(FolderError::Damaged { file: path, why, remedy: REMEDY });
         }
         Ok(sum.totals())
     }
@@ -124,7 +121,8 @@ impl Folder {
         let failed = |error| cannot_write(&path, error);
         let totals = durable::write(&path, |out| {
             let mut sum = Sum::new();
-            let mut writer = Writer::start(out, columns.to_vec(), self.metadata()?).map_err(failed)?;
+            let mut out = Sealing::new(out);
+            let mut writer = Writer::start(&mut out, columns.to_vec(), self.metadata()?).map_err(failed)?;
             for chunk in 0..self.chunks() {
                 for row in read(chunk)? {
                     sum.add(cells(&row, &places));
@@ -132,10 +130,16 @@ impl Folder {
                 }
             }
             writer.finish().map_err(failed)?;
+            self.seal(out.seal())?;
             Ok(sum.totals())
         })?;
         self.tidy()?;
         Ok(totals)
+    }
+
+    /// Writes down what the bytes of the table are. It is done before the table has its name: there is none without.
+    pub(super) fn seal(&self, seal: Seal) -> Result<(), FolderError> {
+        OnDisk { table: Some(seal), ..OnDisk::read(&self.path)? }.write(&self.path)
     }
 
     /// What is flown, for the table: the table alone says what it is about.

@@ -1,14 +1,24 @@
 //! Which variants are flown: every combination of what is varied.
 
+mod axis;
+mod overlap;
+mod table;
+
 use std::{borrow::Cow, fs::File, io::Read as _, path::Path};
 
 use serde::{Deserialize, Serialize};
 
-use super::axis::{Axis, TABLE_MAX_BYTES, ValueKind};
 use crate::config::{ConfigError, Origin, shorten};
+use axis::Axis;
+
+pub use overlap::Written;
+pub(super) use overlap::refuse as refuse_overlaps;
+pub use table::TABLE_MAX_BYTES;
 
 /// Most runs of a sweep.
 pub const RUNS_MAX: u64 = 10_000_000;
+/// Longest text of all values of a variant (bytes): a chunk of rows has to fit into a file.
+const VARIANT_MAX_BYTES: usize = 64 << 10;
 
 /// Why there is no such sweep. Nothing has been flown.
 #[derive(Debug, thiserror::Error)]
@@ -38,14 +48,27 @@ pub enum DesignError {
         cause: std::io::Error,
     },
     /// Two places that give one key its values.
-    #[error("{key} is written twice: by {first} and by {second}; expected one of them")]
+    #[error("{}{key} is written twice: by {}, and by {}; expected one of them", overlap::line(places), places[0], places[1])]
     Twice {
         /// The key.
         key: String,
-        /// One place.
-        first: &'static str,
-        /// The other one.
-        second: &'static str,
+        /// The two.
+        places: Box<[Written; 2]>,
+    },
+    /// A key of a table, and that table as a whole.
+    #[error(
+        "{}{} lies within {}: one would undo the other; write the keys of the outer one singly",
+        overlap::line(places), places[0], places[1]
+    )]
+    Within {
+        /// The place of the key, and that of what holds it.
+        places: Box<[Written; 2]>,
+    },
+    /// Values that fill a book.
+    #[error("the values of a variant have {bytes} bytes: expected at most {VARIANT_MAX_BYTES}")]
+    TooLong {
+        /// How many at most.
+        bytes: usize,
     },
     /// More runs than anyone waits for.
     #[error("{runs} runs ({product}): expected at most {RUNS_MAX}")]
@@ -120,20 +143,14 @@ impl Design {
     /// Reads what was written. `label` is what messages call the table.
     ///
     /// # Errors
-    /// No list, no range, no table; a key that is written twice.
+    /// No list, no range, no table; values that are too long.
     pub fn parse(text: &DesignText, label: &str) -> Result<Self, DesignError> {
         let table = text.table.iter().map(|table| Axis::table(table, label));
         let vary = text.vary.iter().map(|typed| Axis::vary(typed));
         let axes: Vec<Axis> = table.chain(vary).collect::<Result<_, _>>()?;
-        let mut known: Vec<(&String, &'static str)> = Vec::new();
-        for (i, axis) in axes.iter().enumerate() {
-            let place = if i == 0 && text.table.is_some() { "--design" } else { "--vary" };
-            for key in &axis.keys {
-                if let Some((_, first)) = known.iter().find(|(other, _)| *other == key) {
-                    return Err(DesignError::Twice { key: key.clone(), first, second: place });
-                }
-                known.push((key, place));
-            }
+        let bytes = axes.iter().map(Axis::longest).sum();
+        if bytes > VARIANT_MAX_BYTES {
+            return Err(DesignError::TooLong { bytes });
         }
         Ok(Self { text: text.clone(), axes })
     }
@@ -145,13 +162,7 @@ impl Design {
 
     /// Names of what is varied.
     pub fn keys(&self) -> impl Iterator<Item = &str> {
-        self.axes.iter().flat_map(|axis| &axis.keys).map(String::as_str)
-    }
-
-    /// What the values of every key are, in the same order.
-    pub(super) fn kinds(&self) -> Vec<ValueKind> {
-        let kinds = |axis: &Axis| (0..axis.keys.len()).map(|key| axis.kind(key)).collect::<Vec<_>>();
-        self.axes.iter().flat_map(kinds).collect()
+        self.axes.iter().flat_map(|axis| &axis.keys).map(|key| key.name.as_str())
     }
 
     /// Number of variants; more than can be counted is the most that can.
@@ -183,8 +194,16 @@ impl Design {
         for (axis, index) in self.places(variant) {
             for (key, name) in axis.keys.iter().enumerate() {
                 let Some(value) = axis.value(index, key) else { continue };
-                let assignment = format!("{name}={value}");
-                error = error.written_at(&assignment, axis.origin(index, &assignment));
+                let assignment = format!("{}={value}", name.name);
+                // A key that nobody knows is wrong where it is written, not where its values are.
+                let is_key = match &error {
+                    ConfigError::UnknownKey { key, .. } => *key == name.name,
+                    ConfigError::Set { .. } => true,
+                    _ => false,
+                };
+                let head = axis.head().filter(|_| is_key);
+                error =
+                    error.written_at(&assignment, head.unwrap_or_else(|| axis.origin(index, &assignment)));
             }
         }
         error
@@ -202,16 +221,10 @@ impl Design {
     }
 }
 
-/// A key that is both set and varied has two values.
-pub(super) fn set_and_varied(design: &Design, sets: &[String]) -> Result<(), DesignError> {
-    let set = |key: &str| sets.iter().any(|set| set.split('=').next().is_some_and(|name| name.trim() == key));
-    match design.keys().find(|key| set(key)) {
-        Some(key) => Err(DesignError::Twice { key: key.to_owned(), first: "--set", second: "the design" }),
-        None => Ok(()),
-    }
-}
-
 /// The scenario with a variant's values.
 pub(super) fn combined(design: &Design, sets: &[String], variant: u64) -> Vec<String> {
     sets.iter().cloned().chain(design.assignments(variant)).collect()
 }
+
+#[cfg(test)]
+mod tests;

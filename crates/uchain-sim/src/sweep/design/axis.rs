@@ -2,19 +2,29 @@
 
 use std::borrow::Cow;
 
-use super::DesignError;
-use crate::config::{Origin, shorten};
-
-/// Longest table (bytes).
-pub const TABLE_MAX_BYTES: u64 = 16 << 20;
-/// Most columns of a table.
-const COLUMNS_MAX: usize = 64;
+use super::{DesignError, table::Table};
+use crate::config::{Origin, plain_key, shorten};
 
 /// Keys that change together.
 #[derive(Debug, Clone)]
 pub(super) struct Axis {
-    pub(super) keys: Vec<String>,
+    pub(super) keys: Vec<Key>,
     values: Values,
+}
+
+/// A key that is varied.
+#[derive(Debug, Clone)]
+pub(super) struct Key {
+    /// In the spelling that all others are measured by.
+    pub(super) name: String,
+    /// As it was typed.
+    pub(super) typed: String,
+}
+
+impl Key {
+    fn new(typed: &str) -> Self {
+        Self { name: plain_key(typed), typed: typed.to_owned() }
+    }
 }
 
 #[derive(Debug, Clone)]
@@ -26,19 +36,7 @@ enum Values {
         high: f64,
         count: u64,
     },
-    Table {
-        label: String,
-        /// Each with its line.
-        rows: Vec<(u64, csv::StringRecord)>,
-    },
-}
-
-/// What all values of a key are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum ValueKind {
-    Whole,
-    Number,
-    Text,
+    Table(Table),
 }
 
 impl Axis {
@@ -57,45 +55,14 @@ impl Axis {
             }
             Values::List(list)
         };
-        Ok(Self { keys: vec![key.trim().to_owned()], values })
+        Ok(Self { keys: vec![Key::new(key.trim())], values })
     }
 
     /// A table in CSV: the first line holds keys, every other one the values of a variant. An empty cell leaves the
     /// scenario's own value.
     pub(super) fn table(text: &str, label: &str) -> Result<Self, DesignError> {
-        let at = |line: u64| Origin::Line { label: label.to_owned(), line: line as usize };
-        let wrong = |line: u64, why: String| DesignError::Table { at: at(line), why };
-        let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
-        // The reader's own count stands before the empty lines that it skips.
-        let line_of = |place: Option<&csv::Position>| {
-            let Some(place) = place else { return 1 };
-            let rest = usize::try_from(place.byte()).ok().and_then(|byte| text.get(byte..)).unwrap_or("");
-            let empty = rest.bytes().take_while(|byte| matches!(byte, b'\n' | b'\r'));
-            place.line() + empty.filter(|byte| *byte == b'\n').count() as u64
-        };
-        let refuse = |error: &csv::Error| {
-            let line = line_of(error.position());
-            let why = match error.kind() {
-                csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
-                    format!("{len} cells, expected {expected_len} as in the first line")
-                }
-                _ => "not a line of CSV".to_owned(),
-            };
-            wrong(line, why)
-        };
-        let keys: Vec<String> =
-            reader.headers().map_err(|error| refuse(&error))?.iter().map(str::to_owned).collect();
-        if keys.is_empty() || keys.len() > COLUMNS_MAX || keys.iter().any(String::is_empty) {
-            let why = format!("expected 1 to {COLUMNS_MAX} keys, such as radio.sigma_db,chain.uavs");
-            return Err(wrong(1, why));
-        }
-        let numbered = |row: csv::StringRecord| (line_of(row.position()), row);
-        let rows: Result<Vec<_>, _> = reader.into_records().map(|row| row.map(numbered)).collect();
-        let rows = rows.map_err(|error| refuse(&error))?;
-        if rows.is_empty() {
-            return Err(wrong(1, "no rows below the keys; expected one for every variant".to_owned()));
-        }
-        Ok(Self { keys, values: Values::Table { label: label.to_owned(), rows } })
+        let table = Table::read(text, label)?;
+        Ok(Self { keys: table.keys.iter().map(|key| Key::new(key)).collect(), values: Values::Table(table) })
     }
 
     /// How many values.
@@ -103,7 +70,7 @@ impl Axis {
         match &self.values {
             Values::List(list) => list.len() as u64,
             Values::Steps { count, .. } => *count,
-            Values::Table { rows, .. } => rows.len() as u64,
+            Values::Table(table) => table.rows.len() as u64,
         }
     }
 
@@ -111,15 +78,15 @@ impl Axis {
     pub(super) fn value(&self, index: u64, key: usize) -> Option<Cow<'_, str>> {
         let row = usize::try_from(index).ok()?;
         match &self.values {
-            Values::List(list) => list.get(row).map(|text| text.as_str().into()),
+            Values::List(list) => list.get(row).map(|text| plain(text)),
             Values::Steps { low, high, count } => {
                 let last = count - 1;
                 let value =
                     if index == last { *high } else { low + (high - low) * index as f64 / last as f64 };
                 Some(value.to_string().into())
             }
-            Values::Table { rows, .. } => {
-                rows.get(row)?.1.get(key).filter(|text| !text.is_empty()).map(Into::into)
+            Values::Table(table) => {
+                table.rows.get(row)?.1.get(key).filter(|text| !text.is_empty()).map(plain)
             }
         }
     }
@@ -127,7 +94,7 @@ impl Axis {
     /// Where a value was written.
     pub(super) fn origin(&self, index: u64, assignment: &str) -> Origin {
         match &self.values {
-            Values::Table { label, rows } => {
+            Values::Table(Table { label, rows, .. }) => {
                 let row = usize::try_from(index).ok().and_then(|row| rows.get(row));
                 Origin::Line { label: label.clone(), line: row.map_or(1, |(line, _)| *line as usize) }
             }
@@ -135,35 +102,43 @@ impl Axis {
         }
     }
 
-    /// What all values of a key are.
-    pub(super) fn kind(&self, key: usize) -> ValueKind {
-        let kind = |text: &str| match text.parse() {
-            Ok(toml::Value::Integer(_)) => ValueKind::Whole,
-            Ok(toml::Value::Float(number)) if number.is_finite() => ValueKind::Number,
-            _ => ValueKind::Text,
-        };
-        let wider = |a, b| match (a, b) {
-            (ValueKind::Text, _) | (_, ValueKind::Text) => ValueKind::Text,
-            (ValueKind::Number, _) | (_, ValueKind::Number) => ValueKind::Number,
-            _ => ValueKind::Whole,
-        };
+    /// Where the keys were written; `None` if each stands with its values.
+    pub(super) fn head(&self) -> Option<Origin> {
+        let Values::Table(Table { label, head, .. }) = &self.values else { return None };
+        Some(Origin::Line { label: label.clone(), line: *head as usize })
+    }
+
+    /// Length of the longest place on the axis (bytes), keys left out.
+    pub(super) fn longest(&self) -> usize {
+        /// Digits of a number.
+        const NUMBER: usize = 400;
         match &self.values {
-            Values::List(list) => list.iter().map(|text| kind(text)).fold(ValueKind::Whole, wider),
-            // Every step of whole numbers between whole ends is one.
-            Values::Steps { low, high, count } => {
-                let step = (high - low) / (count - 1) as f64;
-                let is_whole = low.fract() == 0.0 && step.fract() == 0.0;
-                if is_whole && low.abs().max(high.abs()) < 1e15 {
-                    ValueKind::Whole
-                } else {
-                    ValueKind::Number
-                }
-            }
-            Values::Table { rows, .. } => {
-                let cells = rows.iter().filter_map(|(_, row)| row.get(key)).filter(|text| !text.is_empty());
-                cells.map(kind).fold(ValueKind::Whole, wider)
-            }
+            Values::List(list) => list.iter().map(String::len).max().unwrap_or(0),
+            Values::Steps { .. } => NUMBER,
+            Values::Table(table) => table.rows.iter().map(|(_, row)| row.as_slice().len()).max().unwrap_or(0),
         }
+    }
+}
+
+/// A value as a scenario writes it. Programs that know one kind of number write whole ones as `2.0`, all of them with
+/// twenty digits, and Python writes `True`. The number is the same, for keys of either kind.
+fn plain(text: &str) -> Cow<'_, str> {
+    /// Up to here every whole number is a float of its own.
+    const EXACT: f64 = 9_007_199_254_740_992.0;
+    match text {
+        "True" | "TRUE" => "true".into(),
+        "False" | "FALSE" => "false".into(),
+        _ => match text.parse() {
+            Ok(toml::Value::Float(number))
+                if number.fract() == 0.0
+                    && number.abs() < EXACT
+                    && (number != 0.0 || number.is_sign_positive()) =>
+            {
+                (number as i64).to_string().into()
+            }
+            Ok(toml::Value::Float(number)) if number.is_finite() => format!("{number:?}").into(),
+            _ => text.into(),
+        },
     }
 }
 
@@ -222,10 +197,14 @@ mod tests {
     fn a_range_holds_both_of_its_ends_and_whole_numbers_stay_whole() {
         assert_eq!(values("chain.tolerance_db=0..5/6"), ["0", "1", "2", "3", "4", "5"]);
         assert_eq!(values("radio.sigma_db=0.1..0.7/4")[3], "0.7");
-        assert_eq!(Axis::vary("a=0..5/6").unwrap().kind(0), ValueKind::Whole);
-        assert_eq!(Axis::vary("a=0..5/5").unwrap().kind(0), ValueKind::Number);
-        assert_eq!(Axis::vary("a=1,2.5").unwrap().kind(0), ValueKind::Number);
-        assert_eq!(Axis::vary("a=1,left").unwrap().kind(0), ValueKind::Text);
+    }
+
+    #[test]
+    fn whole_numbers_and_truths_are_read_as_python_writes_them() {
+        assert_eq!(values("a=2.0,3.000000000000000000e+00,1e3,-4.,-0.0"), ["2", "3", "1000", "-4.", "-0.0"]);
+        assert_eq!(values("a=True,False,TRUE,true"), ["true", "false", "true", "true"]);
+        // What is no whole number, or more than a float can count, stays as it is.
+        assert_eq!(values("a=2.5,1e16,\"2.0\",[2.0],inf"), ["2.5", "1e16", "\"2.0\"", "[2.0]", "inf"]);
     }
 
     #[test]
@@ -234,19 +213,6 @@ mod tests {
         {
             let message = Axis::vary(typed).unwrap_err().to_string();
             assert!(message.contains("expected") && message.contains(typed), "{message}");
-        }
-    }
-
-    #[test]
-    fn a_table_gives_a_row_per_variant_and_says_which_line_is_wrong() {
-        let axis = Axis::table("chain.uavs, pilot.0.follow\n3,left\n\n4,\n", "d.csv").unwrap();
-        assert_eq!((axis.len(), axis.value(0, 1).as_deref(), axis.value(1, 1)), (2, Some("left"), None));
-        assert_eq!(axis.origin(1, "").to_string(), "d.csv:4");
-        for (text, place) in
-            [("", "d.csv:1"), ("a,b\n", "d.csv:1"), ("a,,b\n1,2,3", "d.csv:1"), ("a,b\n1,2\n3\n", "d.csv:3")]
-        {
-            let message = Axis::table(text, "d.csv").unwrap_err().to_string();
-            assert!(message.starts_with(place) && message.contains("expected"), "{message}");
         }
     }
 }
