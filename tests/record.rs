@@ -170,6 +170,7 @@ impl Recorder for Wild {
                 true_db: 1e6,
                 filtered_db: Some(-1e6),
                 raw_db: Some(1e6),
+                silence: None,
             })
             .collect();
         frame.head_reach_m = 1e9;

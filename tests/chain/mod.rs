@@ -14,3 +14,5 @@ mod faults;
 mod laws;
 /// The shipped scenarios do what their descriptions say.
 mod scenarios;
+/// A run says what happened: as asked, or what went wrong.
+mod verdict;

@@ -49,7 +49,7 @@ fn sixty_metres_up_the_staircase_no_link_ever_comes_near_its_limit() {
         let s = run(&course, seed, &mut ()).unwrap();
         // The shortest way cuts the corners of the 60 m of centre line.
         assert!(s.head_reach_m > 49.0, "seed {seed}: {s:?}");
-        assert!(s.worst_link_db.unwrap() < 90.0 && s.connected_fraction == 1.0, "seed {seed}: {s:?}");
+        assert!(s.worst_link_db.unwrap() < 90.0 && s.connected_fraction >= Some(0.99), "seed {seed}: {s:?}");
         assert_eq!((s.wall_contacts, s.uav_contacts), (0, 0), "seed {seed}");
     }
 }
@@ -70,7 +70,7 @@ fn a_chain_reaches_40_m_into_a_real_basement_and_stays_connected() {
     for seed in 1..=3 {
         let s = run(&course, seed, &mut ()).unwrap();
         assert!(s.head_reach_m >= 40.0, "seed {seed}: {} m", s.head_reach_m);
-        assert!(s.connected_fraction >= 0.99, "seed {seed}: {}", s.connected_fraction);
+        assert!(s.connected_fraction >= Some(0.99), "seed {seed}: {:?}", s.connected_fraction);
         assert_eq!((s.wall_contacts, s.uav_contacts), (0, 0), "seed {seed}");
     }
 }
@@ -81,7 +81,8 @@ fn both_presets_fly_the_circuit_without_touching_anything() {
     for name in ["circuit-frontiers2021", "circuit-cavemod"] {
         for s in thirty(name) {
             assert_eq!((s.wall_contacts, s.uav_contacts), (0, 0), "{name}, seed {}", s.seed);
-            assert_eq!(s.connected_fraction, 1.0, "{name}, seed {}", s.seed);
+            assert_eq!(s.below_limit_fraction, Some(1.0), "{name}, seed {}", s.seed);
+            assert!(s.connected_fraction >= Some(0.99), "{name}, seed {}: {s:?}", s.seed);
             assert!(s.head_reach_m > 7.0, "{name}, seed {}: {s:?}", s.seed);
             let gap_db = s.bottleneck_gap_db.expect("a tunnel of known middle");
             assert!(gap_db < 3.0, "{name}, seed {}: {gap_db} dB from the optimum", s.seed);

@@ -93,12 +93,8 @@ fn checked(mission: &Mission) -> String {
         }
     };
     let (walls, s) = (walls.walls().len(), if count == 1 { "" } else { "s" });
-    let notes = match mission {
-        Mission::Explore(site) => site.notes(),
-        Mission::Chain(_) => Vec::new(),
-    };
     let ok = format!("ok: {name}: {count} {who}{s}, {walls} walls, {duration_s} s\n");
-    notes.iter().fold(ok, |text, words| text + "note: " + words + "\n")
+    mission.notes().iter().fold(ok, |text, words| text + "note: " + words + "\n")
 }
 
 /// Name and description of every scenario and preset that is compiled in.

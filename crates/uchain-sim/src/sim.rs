@@ -7,7 +7,7 @@ use crate::{
     config::Course,
     map::{Geodesic, Trail},
     mission::ChainMission,
-    record::{Frame, RecordError, Recorder, TICK_S, TICKS_PER_S, UavFrame},
+    record::{Frame, HeadFrame, RecordError, Recorder, TICK_S, TICKS_PER_S, UavFrame},
     seed::{Seed, Source},
     sense::{FlowNoise, GridRays, Rays, TofBeams, TofNoise, read_tof},
     world::World,
@@ -153,6 +153,12 @@ impl<'a, R: Rays> Sim<'a, R> {
             uav_contacts: body.uav_contacts,
             tof: seen.tof,
         }));
+        let allowed_mps = self.mission.head_allowed_mps().filter(|_| self.world.bodies()[0].airborne);
+        frame.head = allowed_mps.map(|allowed_mps| HeadFrame {
+            pilot_mps: self.seen[0].pilot.unwrap_or_default().speed_mps,
+            allowed_mps,
+            asked_mps: self.asked[0].forward_mps,
+        });
         if decision {
             frame.links.clear();
             frame.links.extend(self.mission.links());

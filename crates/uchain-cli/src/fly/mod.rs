@@ -58,6 +58,7 @@ impl Flight<'_> {
 
 fn chain(flight: &Flight<'_>, course: &Course) -> Result<String, Failure> {
     let Flight { seed, folder, is_recorded, say } = flight;
+    course.notes().iter().for_each(|words| say.note(words));
     listen_for_interrupt();
     let ticks = total_ticks(course.scenario.duration_s);
     let mut watch = Watch::new(course.spawns.len(), ticks, say.progress());

@@ -47,8 +47,9 @@ impl Report<'_, ExploreSummary> {
                 counts(&summary.holds)
             ),
         );
-        let balance = format!("shortest {:.0} % of longest", 100.0 * summary.balance);
-        line("distance", &format!("{} m over ground, {balance}", metres(&summary.distance_m)));
+        let share = |balance| format!(", shortest {:.0} % of longest", 100.0 * balance);
+        let balance = summary.balance.map(share).unwrap_or_default();
+        line("distance", &format!("{} m over ground{balance}", metres(&summary.distance_m)));
         line("", &format!("{} m with climbs", metres(&summary.distance_3d_m)));
         line("levels", &format!("{:.1} s on other levels", summary.mfl_s));
         let [t50, t90, t100] = [summary.coverage_t50_s, summary.coverage_t90_s, summary.coverage_t100_s];
@@ -84,9 +85,22 @@ impl Report<'_, ExploreSummary> {
         );
         let seconds = |s: &[f64]| list(&mut s.iter().map(|s| format!("{s:.1}")));
         line("downwash", &format!("{} s below another robot", seconds(&summary.downwash_s)));
+        // A contact is one of two on one level: of those the gap is told first.
+        let beside = summary.gaps.iter().filter_map(|gap| Some((gap.beside_m?, gap.robots)));
+        match beside.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            Some((m, [i, j])) => line("gaps", &format!("{m:.2} m at least side by side, robots {i} and {j}")),
+            None if !summary.gaps.is_empty() => line("gaps", "never side by side"),
+            None => {}
+        }
         if let Some(gap) = summary.gaps.first() {
             let [i, j] = gap.robots;
-            line("gaps", &format!("{:.2} m at least, between robots {i} and {j}", gap.least_m));
+            line(
+                "",
+                &format!(
+                    "{:.2} m at least through the air, climbs included, robots {i} and {j}",
+                    gap.least_m
+                ),
+            );
         }
         line("digest", &summary.digest);
         line("files", files);

@@ -49,7 +49,13 @@ impl Report<'_, Summary> {
             n => format!("{n} UAVs"),
         };
         line("outcome", &outcome(&summary.verdict));
-        line("reach", &format!("{:.2} m, {in_the_air} in the air", summary.head_reach_m));
+        line(
+            "reach",
+            &match summary.launches_s.len() {
+                0 => "nobody took off".to_owned(),
+                _ => format!("{:.2} m, {in_the_air} in the air", summary.head_reach_m),
+            },
+        );
         for (i, link) in summary.links.iter().enumerate().take(LINKS_SHOWN) {
             let to =
                 summary.links.get(i + 1).map_or_else(|| "base".to_owned(), |behind| behind.uav.to_string());
@@ -76,7 +82,7 @@ impl Report<'_, Summary> {
         let launches: Vec<String> = summary.launches_s.iter().map(|at_s| format!("{at_s:.1}")).collect();
         line("launches", &if launches.is_empty() { "none".to_owned() } else { launches.join(", ") + " s" });
         line("contacts", &format!("{} wall, {} UAV", summary.wall_contacts, summary.uav_contacts));
-        line("connected", &format!("{:.1} %", 100.0 * summary.connected_fraction));
+        line("connected", &connected(summary));
         line("digest", &summary.digest);
         line("files", files);
         text
@@ -88,12 +94,27 @@ fn outcome(verdict: &Verdict) -> String {
     format!("{}: {verdict}", verdict.outcome().word())
 }
 
+/// How long it was connected, in either sense.
+fn connected(summary: &Summary) -> String {
+    let percent = |share: Option<f64>| share.map(|share| format!("{:.1} % of the time", 100.0 * share));
+    let heard = percent(summary.connected_fraction).unwrap_or_else(|| "unknown".to_owned());
+    match percent(summary.below_limit_fraction) {
+        Some(below) => format!("{heard} heard both ways, {below} within reception"),
+        None => "never: the head did not fly".to_owned(),
+    }
+}
+
 /// Relays and worst link against the optimum.
 fn relays(summary: &Summary) -> String {
     let used = summary.relays_used;
     // Without a gap nobody knows the optimum: there is no link, or no middle of the tunnel.
     let Some(gap_db) = summary.bottleneck_gap_db else { return format!("{used} used") };
     let needed = summary.relays_needed.map_or("no number would do".to_owned(), |n| format!("{n} needed"));
-    let side = if gap_db < 0.0 { "better" } else { "worse" };
-    format!("{used} used, {needed}; worst link {:.1} dB {side} than the optimum", gap_db.abs())
+    if gap_db < 0.0 {
+        let gap_db = -gap_db;
+        return format!(
+            "{used} used, {needed}; worst link {gap_db:.1} dB better than the best chain in mid-tunnel"
+        );
+    }
+    format!("{used} used, {needed}; worst link {gap_db:.1} dB worse than the optimum")
 }

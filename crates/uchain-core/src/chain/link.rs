@@ -155,6 +155,11 @@ impl LinkEnd {
         }
     }
 
+    /// How long it has heard nothing (s); `None` before its first packet.
+    pub fn silent_s(&self) -> Option<f32> {
+        self.filter.map(|_| self.silent_s)
+    }
+
     /// The neighbour's last words.
     pub fn neighbour(&self) -> Packet {
         self.neighbour

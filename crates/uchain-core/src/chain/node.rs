@@ -125,6 +125,27 @@ impl Node {
         self.front.loss_db()
     }
 
+    /// How long it has heard nothing from the base's side (s); `None` before its first packet from there.
+    pub fn back_silent_s(&self) -> Option<f32> {
+        self.back.silent_s()
+    }
+
+    /// How long it has heard nothing from the head's side (s); `None` before its first packet from there.
+    pub fn front_silent_s(&self) -> Option<f32> {
+        self.front.silent_s()
+    }
+
+    /// Forward speed by its laws and overrides, before it slows down near walls (m/s); `None` on the ground, and until it
+    /// has risen and hovered.
+    pub fn allowed_mps(&self) -> Option<f32> {
+        self.has_settled().then_some(self.forward_mps)
+    }
+
+    fn has_settled(&self) -> bool {
+        let settled_s = self.params.takeoff.rise_s + self.params.takeoff.hover_s;
+        self.airborne && self.flown_s() >= settled_s
+    }
+
     /// One decision period on the ground.
     fn wait(&mut self, radio: &RadioSlot) {
         let p = &self.params;
@@ -173,8 +194,7 @@ impl Node {
     }
 
     fn command(&self) -> Command {
-        let settled_s = self.params.takeoff.rise_s + self.params.takeoff.hover_s;
-        if !self.airborne || self.flown_s() < settled_s {
+        if !self.has_settled() {
             return Command { airborne: self.airborne, ..Command::default() };
         }
         let c = &self.centering;

@@ -1,9 +1,9 @@
 //! Frames in, numbers out.
 
+mod chain;
 mod compare;
 mod digest;
 pub mod explore;
-mod metrics;
 pub mod optimum;
 mod outcome;
 mod plan;
@@ -11,17 +11,15 @@ mod plan;
 mod significance;
 #[cfg(feature = "sweep")]
 mod stats;
-mod summary;
 mod timeline;
 
+pub use chain::{LinkSummary, Metrics, Summary};
 pub use compare::{Compare, Comparison, Difference, Value, Whose};
 pub use digest::Digest;
-pub use metrics::Metrics;
 pub use outcome::{Break, Outcome, Over, Verdict, Way};
 pub use plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan};
 #[cfg(feature = "sweep")]
 pub use significance::{Tendency, is_less_in_pairs, is_rarer_in_pairs, saved_percent, tends_to_be_less};
 #[cfg(feature = "sweep")]
 pub use stats::Estimate;
-pub use summary::{LinkSummary, Summary};
 pub use timeline::{ExploreTimeline, Timeline};

@@ -5,14 +5,14 @@ use crate::record::{ExploreFrame, Frame, Moment, Odometer, Progress, RecordError
 /// Keeps moments of the decisions, evenly spaced, at most twice as many as asked for, and the last one.
 #[derive(Debug, Clone)]
 pub struct Timeline {
-    limit_db: f32,
+    lost_s: f32,
     kept: Thinned<Moment>,
 }
 
 impl Timeline {
-    /// Keeps about so many moments; from `limit_db` on nothing is received (dB).
-    pub fn new(wanted: usize, limit_db: f32) -> Self {
-        Self { limit_db, kept: Thinned::new(wanted) }
+    /// Keeps about so many moments; a link that is silent for longer than `lost_s` connects nobody (s).
+    pub fn new(wanted: usize, lost_s: f32) -> Self {
+        Self { lost_s, kept: Thinned::new(wanted) }
     }
 
     /// The moments kept, in order.
@@ -24,7 +24,7 @@ impl Timeline {
 impl Recorder for Timeline {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         if frame.decision {
-            self.kept.push(Moment::of(frame, self.limit_db));
+            self.kept.push(Moment::of(frame, self.lost_s));
         }
         Ok(())
     }
@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn a_long_run_is_kept_in_few_moments_with_its_first_and_last() {
-        let mut timeline = Timeline::new(10, 100.0);
+        let mut timeline = Timeline::new(10, 1.0);
         for tick in 0..1000 {
             timeline.frame(&Frame { tick, decision: tick % 4 == 0, ..Frame::default() }).unwrap();
         }

@@ -1,6 +1,9 @@
 //! Ranges of a scenario's own fields, and of every room's Params under their table's name.
 
-use uchain_core::params::OutOfRange;
+use uchain_core::{
+    chain::{LinkParams, TakeoffParams},
+    params::OutOfRange,
+};
 
 use super::{ConfigError, MapConfig, Scenario, document::Document, keys::join};
 use crate::record::TICKS_PER_S;
@@ -42,6 +45,50 @@ pub(super) fn values(scenario: &Scenario, document: &Document<'_>) -> Result<(),
     check.faults(scenario)?;
     check.ticks("equalize.decision_s", f64::from(scenario.equalize.decision_s))?;
     check.ticks("tof.period_s", f64::from(scenario.tof.period_s))
+}
+
+/// Thresholds of the head and of relays that leave the next relay no chance to take off, and so are no chain to fly; a
+/// plan may ask for them.
+pub(super) fn thresholds(scenario: &Scenario, document: &Document<'_>) -> Result<(), ConfigError> {
+    let check = Check { document };
+    let (link, s_min_db) = (&scenario.link, scenario.takeoff.s_min_db);
+    if link.head_back_db < link.head_stop_db {
+        let expected = format!(
+            "must be at least link.head_stop_db = {}: the head stops before it flies back",
+            link.head_stop_db
+        );
+        return Err(check.invalid("link.head_back_db", &link.head_back_db, expected));
+    }
+    if scenario.chain.uavs < 2 {
+        return Ok(());
+    }
+    let defaults = (LinkParams::default(), TakeoffParams::default().s_min_db);
+    let set =
+        |key: &str, default_db: f32| format!(" --set link.{key}={}", s_min_db + default_db - defaults.1);
+    let remedy = [
+        set("head_stop_db", defaults.0.head_stop_db),
+        set("head_back_db", defaults.0.head_back_db),
+        set("relay_back_db", defaults.0.relay_back_db),
+    ]
+    .concat();
+    for (key, got_db, what) in [
+        ("link.head_stop_db", link.head_stop_db, "the head stops"),
+        ("link.relay_back_db", link.relay_back_db, "relays fly back"),
+    ] {
+        if got_db > s_min_db {
+            continue;
+        }
+        // The key that was written is the one to point at.
+        let is_s_min = document.written("takeoff.s_min_db").is_some() && document.written(key).is_none();
+        let (name, value_db, twin) = if is_s_min {
+            ("takeoff.s_min_db", s_min_db, format!("must lie below {key} = {got_db}"))
+        } else {
+            (key, got_db, format!("must lie above takeoff.s_min_db = {s_min_db}"))
+        };
+        let expected = format!("{twin}: else {what} before the next relay takes off; such as{remedy}");
+        return Err(check.invalid(name, &value_db, expected));
+    }
+    Ok(())
 }
 
 pub(super) struct Check<'d> {

@@ -33,6 +33,7 @@ fn flight(course: &Course, seconds: u64) -> (History, Summary) {
             uav: i,
             true_db: 40.0 + 6.0 * reach_m / flying as f32 + i as f32,
             raw_db: None,
+            silence: None,
             filtered_db: (k % 50 != 0).then_some(41.0 + 6.0 * reach_m / flying as f32 + (k * 7 % 5) as f32),
         };
         Frame {
@@ -41,6 +42,7 @@ fn flight(course: &Course, seconds: u64) -> (History, Summary) {
             uavs: (0..n).map(uav).collect(),
             links: (0..flying).map(link).collect(),
             head_reach_m: reach_m,
+            head: None,
         }
     });
     let history = History { frames: frames.collect() };
@@ -61,7 +63,8 @@ fn flight(course: &Course, seconds: u64) -> (History, Summary) {
         converged_s: None,
         wall_contacts: 0,
         uav_contacts: 0,
-        connected_fraction: 1.0,
+        connected_fraction: Some(1.0),
+        below_limit_fraction: Some(1.0),
         head_reach_m: 11.0,
         digest: "0".repeat(16),
     };

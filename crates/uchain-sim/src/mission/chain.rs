@@ -1,14 +1,14 @@
 //! The chain: brains in order, the links between them, and the pilot of the head.
 
 use uchain_core::{
-    chain::{Command, Node, NodeParams, Observation, Packet, Pilot, RadioSlot, Role},
+    chain::{Command, End, LinkEnd, Node, NodeParams, Observation, Packet, Pilot, RadioSlot, Role},
     seam::Brain,
 };
 
 use crate::{
     config::{Course, Scenario},
     radio::{Antenna, Receiver, Side, receiver},
-    record::{LinkFrame, TICKS_PER_S},
+    record::{LinkFrame, Silence, TICKS_PER_S},
     seed::Seed,
     world::World,
 };
@@ -19,6 +19,7 @@ pub struct ChainMission<'a> {
     course: &'a Course,
     nodes: Vec<Node>,
     receivers: Vec<Box<dyn Receiver>>,
+    base: BaseStation,
     said: Vec<Packet>,
     /// When each UAV fails, if it is planned to (s).
     fails_s: Vec<Option<f64>>,
@@ -28,6 +29,13 @@ pub struct ChainMission<'a> {
     in_line: usize,
     /// The flying chain's links at the last exchange: UAV at the front end, true loss (dB).
     links: Vec<(usize, f32)>,
+}
+
+/// The other end of the last link: it hears the last UAV, and has nothing to decide.
+#[derive(Debug)]
+struct BaseStation {
+    receiver: Box<dyn Receiver>,
+    ear: LinkEnd,
 }
 
 fn node_params(scenario: &Scenario) -> NodeParams {
@@ -59,6 +67,8 @@ impl<'a> ChainMission<'a> {
             course,
             nodes: (0..count).map(|i| Node::new(role(i), params.clone())).collect(),
             receivers: (0..count).map(receiver).collect(),
+            // One number beyond the UAVs', so that it draws from streams of its own.
+            base: BaseStation { receiver: receiver(count), ear: LinkEnd::new(End::Rear) },
             said: Vec::with_capacity(count),
             fails_s,
             flying: Vec::with_capacity(count),
@@ -119,6 +129,7 @@ impl<'a> ChainMission<'a> {
                 }
             }
         };
+        let mut at_base = None;
         self.links.clear();
         for (place, &i) in self.flying.iter().enumerate() {
             if let Some(&behind) = self.flying.get(place + 1) {
@@ -129,6 +140,7 @@ impl<'a> ChainMission<'a> {
             } else {
                 let true_db = loss_db(&antenna(i), &base);
                 hear(i, Side::Back, true_db, Packet::BASE);
+                at_base = self.base.receiver.receive(tick, Side::Front, true_db, self.said[i]);
                 self.links.push((i, true_db));
             }
         }
@@ -136,6 +148,8 @@ impl<'a> ChainMission<'a> {
             let true_db = loss_db(&antenna(last), &antenna(self.in_line));
             hear(self.in_line, Side::Front, true_db, self.said[last]);
         }
+        let Scenario { kalman, equalize, link, .. } = &self.course.scenario;
+        self.base.ear.hear(at_base.as_ref(), None, equalize.decision_s, kalman, link);
     }
 
     /// Every brain sees the same instant and asks; a dead one asks for nothing any more.
@@ -157,11 +171,21 @@ impl<'a> ChainMission<'a> {
 
     /// Links of the flying chain as of the last exchange, with the estimates of now.
     pub fn links(&self) -> impl Iterator<Item = LinkFrame> {
-        self.links.iter().map(|&(uav, true_db)| LinkFrame {
-            uav,
-            true_db,
-            filtered_db: self.nodes[uav].back_loss_db(),
-            raw_db: self.nodes[uav].back_raw_db(),
+        self.links.iter().enumerate().map(|(place, &(uav, true_db))| {
+            let behind = self.links.get(place + 1).map(|&(uav, _)| &self.nodes[uav]);
+            let rear_s = behind.map_or_else(|| self.base.ear.silent_s(), Node::front_silent_s);
+            LinkFrame {
+                uav,
+                true_db,
+                filtered_db: self.nodes[uav].back_loss_db(),
+                raw_db: self.nodes[uav].back_raw_db(),
+                silence: Some(Silence { front_s: self.nodes[uav].back_silent_s(), rear_s }),
+            }
         })
+    }
+
+    /// What its pilot's wish has become when overrides have had their say (m/s); `None` while the head cannot fly freely.
+    pub fn head_allowed_mps(&self) -> Option<f32> {
+        self.nodes.first().and_then(Node::allowed_mps)
     }
 }

@@ -52,6 +52,38 @@ pub struct LinkFrame {
     pub filtered_db: Option<f32>,
     /// The front end's last sample, as measured (dB); `None` before its first packet.
     pub raw_db: Option<f32>,
+    /// How long its ends have heard nothing; `None` in recordings of versions that did not write it. Not part of the
+    /// digest.
+    pub silence: Option<Silence>,
+}
+
+/// How long the two ends of a link have heard nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Silence {
+    /// The end toward the head (s); `None` before its first packet.
+    pub front_s: Option<f32>,
+    /// The end toward the base, which may be the base itself (s); `None` before its first packet.
+    pub rear_s: Option<f32>,
+}
+
+impl LinkFrame {
+    /// Whether both ends have heard something within `lost_s`; `None` if nobody knows.
+    pub fn is_heard(&self, lost_s: f32) -> Option<bool> {
+        let within = |silent_s: Option<f32>| silent_s.is_some_and(|silent_s| silent_s <= lost_s);
+        self.silence.map(|silence| within(silence.front_s) && within(silence.rear_s))
+    }
+}
+
+/// What became of the pilot's wish in a tick in which the head could fly freely: it was in the air, and had risen and
+/// hovered. Not part of the digest: it shows in what the head does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeadFrame {
+    /// Forward speed its pilot asked for (m/s).
+    pub pilot_mps: f32,
+    /// What its link allowed of it, or made of it (m/s).
+    pub allowed_mps: f32,
+    /// What its body was asked for: that, slowed down near walls (m/s).
+    pub asked_mps: f32,
 }
 
 /// One instant of a run.
@@ -68,6 +100,20 @@ pub struct Frame {
     pub links: Vec<LinkFrame>,
     /// Tunnel distance from the base to the head (m).
     pub head_reach_m: f32,
+    /// What became of the pilot's wish; `None` while the head cannot fly freely, and in recordings of versions that did not
+    /// write it.
+    pub head: Option<HeadFrame>,
+}
+
+impl Frame {
+    /// Whether the head was in the chain at the last exchange, and every link was heard within `lost_s`, both ways; `None`
+    /// if nobody knows. An empty chain connects nobody.
+    pub fn is_connected(&self, lost_s: f32) -> Option<bool> {
+        if self.links.first().is_none_or(|link| link.uav != 0) {
+            return Some(false);
+        }
+        self.links.iter().map(|link| link.is_heard(lost_s)).try_fold(true, |all, heard| Some(all && heard?))
+    }
 }
 
 /// Ticks of one second. Time is counted in ticks; every rate divides theirs.

@@ -17,8 +17,8 @@ pub struct Moment {
     pub worst_link_db: Option<f32>,
     /// Largest minus smallest true loss (dB); `None` without two links.
     pub spread_db: Option<f32>,
-    /// The head flies and every link's true loss is below the reception limit.
-    pub connected: bool,
+    /// The head flies, and every link was heard within `link.lost_s`, both ways; `None` if a recording does not say.
+    pub connected: Option<bool>,
     /// Wall contacts begun so far.
     pub wall_contacts: u32,
     /// Contacts between UAVs begun so far.
@@ -26,16 +26,15 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// A frame's numbers; from `limit_db` on nothing is received (dB).
-    pub fn of(frame: &Frame, limit_db: f32) -> Self {
-        let head_flies = frame.uavs.first().is_some_and(|head| head.airborne);
+    /// A frame's numbers; a link that is silent for longer than `lost_s` connects nobody (s).
+    pub fn of(frame: &Frame, lost_s: f32) -> Self {
         Self {
             time_s: frame.time_s(),
             uavs: frame.uavs.iter().filter(|uav| uav.airborne).count(),
             head_reach_m: frame.head_reach_m,
             worst_link_db: frame.links.iter().map(|link| link.true_db).max_by(f32::total_cmp),
             spread_db: spread_db(&frame.links),
-            connected: head_flies && frame.links.iter().all(|link| link.true_db < limit_db),
+            connected: frame.is_connected(lost_s),
             wall_contacts: frame.uavs.iter().map(|uav| uav.wall_contacts).sum(),
             uav_contacts: frame.uavs.iter().map(|uav| uav.uav_contacts).sum::<u32>() / 2,
         }
@@ -58,7 +57,7 @@ mod tests {
 
     #[test]
     fn one_link_has_no_spread() {
-        let link = |true_db| LinkFrame { uav: 0, true_db, filtered_db: None, raw_db: None };
+        let link = |true_db| LinkFrame { uav: 0, true_db, filtered_db: None, raw_db: None, silence: None };
         assert_eq!(spread_db(&[link(50.0)]), None);
         assert_eq!(spread_db(&[link(50.0), link(57.0), link(52.0)]), Some(7.0));
     }

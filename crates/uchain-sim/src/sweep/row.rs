@@ -11,7 +11,7 @@ use crate::{
 type Field<S> = (&'static str, Kind, fn(&S) -> Cell);
 
 /// What a chain came to.
-const CHAIN: [Field<Summary>; 20] = [
+const CHAIN: [Field<Summary>; 21] = [
     ("sim_s", Kind::Number, |s| s.sim_s.into()),
     ("launches_s", Kind::Numbers, |s| Cell::list(s.launches_s.iter().copied())),
     ("launches", Kind::Count, |s| s.launches_s.len().into()),
@@ -28,6 +28,7 @@ const CHAIN: [Field<Summary>; 20] = [
     ("wall_contacts", Kind::Count, |s| s.wall_contacts.into()),
     ("uav_contacts", Kind::Count, |s| s.uav_contacts.into()),
     ("connected_fraction", Kind::Number, |s| s.connected_fraction.into()),
+    ("below_limit_fraction", Kind::Number, |s| s.below_limit_fraction.into()),
     ("head_reach_m", Kind::Single, |s| s.head_reach_m.into()),
     ("outcome", Kind::Text, |s| s.verdict.outcome().word().into()),
     (VERDICT, Kind::Text, |s| s.verdict.to_string().as_str().into()),

@@ -48,9 +48,9 @@ fn chain(asked: &Inspect, mut recording: Recording<impl Read>) -> Result<(), Fai
     let refused = |cause| Failure::Recording { file: asked.file.clone(), cause };
     let course = recording.course().map_err(refused)?;
     let of_ticks = total_ticks(course.scenario.duration_s);
-    let limit_db = course.scenario.packets.limit_db;
+    let lost_s = course.scenario.link.lost_s;
     let mut watch = Watch::new(course.spawns.len(), of_ticks, false);
-    let mut timeline = Timeline::new(MOMENTS, limit_db);
+    let mut timeline = Timeline::new(MOMENTS, lost_s);
     let summary = recording.summary(&course, &mut (&mut watch, &mut timeline));
     let summary = summary.map_err(|cause| Failure::played(&asked.file, cause))?;
     let ticks = recording.frames.tick();
@@ -93,7 +93,11 @@ fn table(moments: &[Moment]) -> String {
             number(moment.spread_db),
             moment.wall_contacts,
             moment.uav_contacts,
-            if moment.connected || moment.uavs == 0 { "" } else { "  not connected" },
+            if moment.connected == Some(false) && moment.worst_link_db.is_some() {
+                "  not connected"
+            } else {
+                ""
+            },
         );
     }
     text

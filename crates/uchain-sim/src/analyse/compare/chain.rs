@@ -1,17 +1,24 @@
 //! Frames of a chain, field by field.
 
 use super::{Compare, Difference, Look, Value, Whose};
-use crate::record::{Frame, LinkFrame, UavFrame};
+use crate::record::{Frame, HeadFrame, LinkFrame, Silence, UavFrame};
 
 impl Compare for Frame {
     fn differences(&self, there: &Self, found: &mut dyn FnMut(Difference)) {
         let mut look = Look { tick: self.tick, found };
         look.at(Whose::Frame, own(self), own(there));
+        // What one of the two did not write cannot be compared.
+        if let (Some(a), Some(b)) = (&self.head, &there.head) {
+            look.at(Whose::Frame, head(a), head(b));
+        }
         for (i, (a, b)) in self.uavs.iter().zip(&there.uavs).enumerate() {
             look.at(Whose::Uav(i), uav(a), uav(b));
         }
         for (a, b) in self.links.iter().zip(&there.links) {
             look.at(Whose::Link(a.uav), link(a), link(b));
+            if let (Some(here), Some(there)) = (a.silence, b.silence) {
+                look.at(Whose::Link(a.uav), silence(here), silence(there));
+            }
         }
     }
 }
@@ -24,6 +31,18 @@ fn own(frame: &Frame) -> [(&'static str, Value); 5] {
         ("links", Value::Count(frame.links.len() as u64)),
         ("head_reach_m", Value::Number(frame.head_reach_m)),
     ]
+}
+
+fn head(head: &HeadFrame) -> [(&'static str, Value); 3] {
+    [
+        ("pilot_mps", Value::Number(head.pilot_mps)),
+        ("allowed_mps", Value::Number(head.allowed_mps)),
+        ("asked_mps", Value::Number(head.asked_mps)),
+    ]
+}
+
+fn silence(silence: Silence) -> [(&'static str, Value); 2] {
+    [("front_silent_s", silence.front_s.into()), ("rear_silent_s", silence.rear_s.into())]
 }
 
 fn uav(uav: &UavFrame) -> [(&'static str, Value); 13] {

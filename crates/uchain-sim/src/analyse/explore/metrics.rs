@@ -102,7 +102,7 @@ impl<'a> ExploreMetrics<'a> {
             iterations: self.rounds,
             moves: self.robots.iter().map(|robot| robot.moves).collect(),
             holds: self.robots.iter().map(|robot| robot.holds).collect(),
-            balance: if longest_m > 0.0 { shortest_m / longest_m } else { 1.0 },
+            balance: (longest_m > 0.0 && distance_m.len() > 1).then(|| shortest_m / longest_m),
             distance_m,
             distance_3d_m: self.robots.iter().map(|robot| robot.distance_3d_m).collect(),
             mfl_s: self.mfl_ticks as f64 / TICKS_PER_S,

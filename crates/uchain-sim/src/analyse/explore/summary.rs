@@ -52,8 +52,8 @@ pub struct ExploreSummary {
     pub coverage_t100_s: f64,
     /// Share of the seen ground that nodes of more than one robot saw (1).
     pub overlap: f64,
-    /// Shortest over longest way over ground of any robot (1); 1 if nobody moved.
-    pub balance: f64,
+    /// Shortest over longest way over ground of any robot (1); `None` if nobody moved, or there is only one.
+    pub balance: Option<f64>,
     /// Nodes, by robot.
     pub nodes: Vec<u32>,
     /// Edges of the roadmap.

@@ -7,6 +7,12 @@ use super::{Break, Outcome, Over, Way};
 impl Display for Outcome {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
+            Self::Unseen { .. }
+            | Self::Unreachable { .. }
+            | Self::Full { .. }
+            | Self::Stuck { .. }
+            | Self::TimeUp { .. }
+            | Self::Explored { .. } => self.exploration(f),
             Self::Interrupted { at_s, of_s: Some(of_s) } => {
                 write!(f, "ended early, after {at_s:.2} s of {of_s} s")
             }
@@ -67,6 +73,26 @@ impl Display for Outcome {
                 )
             }
             Self::LinksOver(over) => write!(f, "the chain was not level: {over}"),
+            Self::Completed { way, links, worst_db, s_min_db } => {
+                if let Some(way) = way {
+                    write!(f, "{way}; ")?;
+                }
+                match worst_db {
+                    Some(worst_db) => write!(
+                        f,
+                        "{} within {s_min_db} dB, the worst {worst_db:.1} dB",
+                        counted(*links, "link")
+                    ),
+                    None => f.write_str("no link yet"),
+                }
+            }
+        }
+    }
+}
+
+impl Outcome {
+    fn exploration(&self, f: &mut Formatter<'_>) -> Result {
+        match self {
             Self::Unseen { seen, behind, passage_m, set } => {
                 write!(
                     f,
@@ -101,20 +127,8 @@ impl Display for Outcome {
             Self::TimeUp { seen, after_s } => {
                 write!(f, "{} seen when the time was up, after {after_s} s (duration_s)", percent(*seen))
             }
-            Self::Completed { way, links, worst_db, s_min_db } => {
-                if let Some(way) = way {
-                    write!(f, "{way}; ")?;
-                }
-                match worst_db {
-                    Some(worst_db) => write!(
-                        f,
-                        "{} within {s_min_db} dB, the worst {worst_db:.1} dB",
-                        counted(*links, "link")
-                    ),
-                    None => f.write_str("no link yet"),
-                }
-            }
             Self::Explored { seen } => write!(f, "{} seen, no frontier left, all home", percent(*seen)),
+            _ => Ok(()),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! A scenario laid out in its tunnel: everything a run needs, shared by many runs.
 
+mod notes;
 mod place;
 
 use std::sync::OnceLock;

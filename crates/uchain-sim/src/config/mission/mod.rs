@@ -15,7 +15,7 @@ pub use explore::{ExploreScenario, TeamConfig, VehicleKind};
 pub(crate) use keys::{ValueKind, kind_of, resolve};
 pub use site::Site;
 
-use super::{ConfigError, Course, Scenario, Source, document::Document};
+use super::{ConfigError, Course, Scenario, Source, check::thresholds, document::Document};
 use crate::map::Map;
 
 /// A scenario of either kind, laid out and checked.
@@ -38,12 +38,22 @@ impl Mission {
     /// ```
     ///
     /// # Errors
-    /// Those of [`Course::read`] and [`Site::read`].
+    /// Those of [`Course::read`] and [`Site::read`]; thresholds of a chain that would keep its relays on the ground.
     pub fn read(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
-        if is_exploration(&Document::parse(source, sets)?) {
-            Site::read(source, sets).map(|site| Self::Explore(Box::new(site)))
-        } else {
-            Course::read(source, sets).map(|course| Self::Chain(Box::new(course)))
+        let document = Document::parse(source, sets)?;
+        if is_exploration(&document) {
+            return Site::read(source, sets).map(|site| Self::Explore(Box::new(site)));
+        }
+        let course = Course::read(source, sets)?;
+        thresholds(&course.scenario, &document)?;
+        Ok(Self::Chain(Box::new(course)))
+    }
+
+    /// What one should know before the start.
+    pub fn notes(&self) -> Vec<String> {
+        match self {
+            Self::Chain(course) => course.notes(),
+            Self::Explore(site) => site.notes(),
         }
     }
 

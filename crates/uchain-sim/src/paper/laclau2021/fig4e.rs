@@ -128,7 +128,7 @@ mod tests {
 
     /// A run whose three links are level from a time on.
     fn level_from(level_s: f64) -> Flight {
-        let link = |uav, true_db| LinkFrame { uav, true_db, filtered_db: None, raw_db: None };
+        let link = |uav, true_db| LinkFrame { uav, true_db, filtered_db: None, raw_db: None, silence: None };
         let sample = |time_s: f64| {
             let first_db = if time_s < level_s { 90.0 } else { 55.0 };
             let links = vec![link(0, first_db), link(1, 55.0), link(2, 55.0)];

@@ -6,7 +6,7 @@ use super::{alike, bounded, few, set};
 use crate::{
     config::UAVS_MAX,
     map::FARTHEST_M,
-    record::{Frame, LinkFrame, Moment, UavFrame},
+    record::{Frame, HeadFrame, LinkFrame, Moment, Silence, UavFrame},
 };
 
 /// `uchain.Frame`. Stands for one frame after the other, so that its lists are allocated once.
@@ -46,6 +46,10 @@ pub struct FrameMessage {
     head_reach_m: f32,
     #[prost(float, repeated, tag = "17")]
     link_raw_db: Vec<f32>,
+    #[prost(float, repeated, tag = "18")]
+    link_silent_s: Vec<f32>,
+    #[prost(float, repeated, tag = "19")]
+    head_mps: Vec<f32>,
 }
 
 /// `uchain.Metrics`.
@@ -74,7 +78,7 @@ impl From<Moment> for MetricsMessage {
             head_reach_m: moment.head_reach_m,
             worst_link_db: moment.worst_link_db.unwrap_or(f32::NAN),
             spread_db: moment.spread_db.unwrap_or(f32::NAN),
-            connected: moment.connected,
+            connected: moment.connected.unwrap_or_default(),
             wall_contacts: moment.wall_contacts,
             uav_contacts: moment.uav_contacts,
         }
@@ -84,7 +88,7 @@ impl From<Moment> for MetricsMessage {
 impl FrameMessage {
     /// Takes a frame's values.
     pub(in super::super) fn fill(&mut self, frame: &Frame) {
-        let Frame { tick, decision, uavs, links, head_reach_m } = frame;
+        let Frame { tick, decision, uavs, links, head_reach_m, head } = frame;
         (self.tick, self.decision, self.head_reach_m) = (*tick, *decision, *head_reach_m);
         set(&mut self.x_m, uavs.iter().map(|uav| uav.x_m));
         set(&mut self.y_m, uavs.iter().map(|uav| uav.y_m));
@@ -104,6 +108,10 @@ impl FrameMessage {
         set(&mut self.link_true_db, links.iter().map(|link| link.true_db));
         set(&mut self.link_raw_db, links.iter().map(|link| link.raw_db.unwrap_or(f32::NAN)));
         set(&mut self.link_filtered_db, links.iter().map(|link| link.filtered_db.unwrap_or(f32::NAN)));
+        let ends = |silence: Silence| [silence.front_s, silence.rear_s].map(|s| s.unwrap_or(f32::NAN));
+        set(&mut self.link_silent_s, links.iter().filter_map(|link| link.silence).flat_map(ends));
+        let speeds = |head: &HeadFrame| [head.pilot_mps, head.allowed_mps, head.asked_mps];
+        set(&mut self.head_mps, head.iter().flat_map(speeds));
     }
 
     pub(super) fn pour(&self, frame: &mut Frame) -> Result<(), String> {
@@ -111,6 +119,10 @@ impl FrameMessage {
         (frame.tick, frame.decision, frame.head_reach_m) = (self.tick, self.decision, self.head_reach_m);
         set(&mut frame.uavs, (0..self.x_m.len()).map_while(|i| self.uav(i)));
         set(&mut frame.links, (0..self.link_uav.len()).map_while(|i| self.link(i)));
+        frame.head = match self.head_mps[..] {
+            [pilot_mps, allowed_mps, asked_mps] => Some(HeadFrame { pilot_mps, allowed_mps, asked_mps }),
+            _ => None,
+        };
         Ok(())
     }
 
@@ -140,7 +152,17 @@ impl FrameMessage {
             true_db: *self.link_true_db.get(i)?,
             filtered_db: (!filtered_db.is_nan()).then_some(filtered_db),
             raw_db: (!raw_db.is_nan()).then_some(raw_db),
+            silence: self.silence(i),
         })
+    }
+
+    /// Nothing in recordings of versions that did not write it.
+    fn silence(&self, i: usize) -> Option<Silence> {
+        let known = |silent_s: f32| (!silent_s.is_nan()).then_some(silent_s);
+        match *self.link_silent_s.get(2 * i..2 * i + 2)? {
+            [front_s, rear_s] => Some(Silence { front_s: known(front_s), rear_s: known(rear_s) }),
+            _ => None,
+        }
     }
 
     fn check(&self) -> Result<(), String> {
@@ -169,6 +191,12 @@ impl FrameMessage {
             ("link_raw_db", self.link_raw_db.len()),
         ];
         alike(links, "link_uav", &lengths)?;
+        if !self.link_silent_s.is_empty() {
+            alike(2 * links, "link_uav, twice", &[("link_silent_s", self.link_silent_s.len())])?;
+        }
+        if !self.head_mps.is_empty() {
+            alike(3, "the head", &[("head_mps", self.head_mps.len())])?;
+        }
         if let Some(uav) = self.link_uav.iter().find(|uav| **uav as usize >= uavs) {
             return Err(format!("link_uav = {uav}: expected one of {uavs} UAVs"));
         }
@@ -187,6 +215,7 @@ impl FrameMessage {
             ("lateral_mps", &self.lateral_mps),
             ("yaw_rate_radps", &self.yaw_rate_radps),
             ("link_true_db", &self.link_true_db),
+            ("head_mps", &self.head_mps),
         ])?;
         // NaN stands for none.
         let most = 10.0 * FARTHEST_M;
@@ -194,6 +223,7 @@ impl FrameMessage {
             ("tof_m", &self.tof_m),
             ("link_filtered_db", &self.link_filtered_db),
             ("link_raw_db", &self.link_raw_db),
+            ("link_silent_s", &self.link_silent_s),
         ] {
             if let Some(value) = list.iter().find(|value| value.abs() > most) {
                 return Err(format!("{name} = {value}: expected a number within ±{most}"));

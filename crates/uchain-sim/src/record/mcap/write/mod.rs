@@ -50,7 +50,7 @@ const SHOWN_TICKS: u64 = 2;
 pub struct McapRecorder<W: Write> {
     out: Out<W>,
     channels: Channels,
-    limit_db: f32,
+    lost_s: f32,
     frame: FrameMessage,
     transforms: Transforms,
     poses: Poses,
@@ -103,7 +103,7 @@ impl<W: Write> McapRecorder<W> {
         let mut recorder = Self {
             out,
             channels,
-            limit_db: course.scenario.packets.limit_db,
+            lost_s: course.scenario.link.lost_s,
             frame: FrameMessage::default(),
             transforms: Transforms::new(course),
             poses: Poses::new(course.spawns.len()),
@@ -156,7 +156,7 @@ impl<W: Write> Recorder for McapRecorder<W> {
         self.frame.fill(frame);
         self.out.send(self.channels.frame, frame.tick, &self.frame)?;
         if frame.decision {
-            let moment = MetricsMessage::from(Moment::of(frame, self.limit_db));
+            let moment = MetricsMessage::from(Moment::of(frame, self.lost_s));
             self.out.send(self.channels.metrics, frame.tick, &moment)?;
         }
         if frame.tick.is_multiple_of(SHOWN_TICKS) {

@@ -1,10 +1,10 @@
 //! The summary of a run, from its frames.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 
 use glam::Vec2;
 
-use super::{Break, LinkSummary, Outcome, Summary, Verdict};
+use super::{LinkSummary, Summary, head::Head, verdict::Evidence};
 use crate::{
     config::Course,
     record::{Frame, LinkFrame, RecordError, Recorder, TICKS_PER_S, spread_db},
@@ -12,8 +12,8 @@ use crate::{
 
 /// Losses within this of each other count as converged in an exploration (dB).
 const CONVERGED_DB: f32 = 7.0;
-/// "At the end" is this long (s).
-const END_S: f64 = 10.0;
+/// "At the end" is this long (ticks): 10 s.
+const END_TICKS: u64 = (10.0 * TICKS_PER_S) as u64;
 /// Heads within this of one another share one optimum (m).
 const SAME_DEPTH_M: f64 = 0.05;
 
@@ -28,17 +28,28 @@ pub struct Metrics<'a> {
     launches_s: Vec<f64>,
     airborne: Vec<bool>,
     down: Vec<(usize, f64)>,
-    at_the_end: Vec<Vec<LinkFrame>>,
-    /// Where the head was at each of `at_the_end`.
-    heads: Vec<Vec2>,
+    /// The decisions of the last 10 s.
+    at_the_end: VecDeque<Instant>,
+    head: Head,
     converged_s: Option<f64>,
     wall_contacts: u32,
     uav_contacts: u32,
     /// Decisions since the head took off.
     flown: u64,
     connected: u64,
+    below_limit: u64,
+    /// Whether every one of them says who heard whom.
+    is_heard_known: bool,
     worst_link_db: Option<f32>,
     head_reach_m: f32,
+}
+
+/// A decision that may be one of the last.
+#[derive(Debug, Default)]
+struct Instant {
+    tick: u64,
+    head: Vec2,
+    links: Vec<LinkFrame>,
 }
 
 impl<'a> Metrics<'a> {
@@ -54,13 +65,15 @@ impl<'a> Metrics<'a> {
             launches_s: Vec::new(),
             airborne: Vec::new(),
             down: Vec::new(),
-            at_the_end: Vec::new(),
-            heads: Vec::new(),
+            at_the_end: VecDeque::new(),
+            head: Head::default(),
             converged_s: None,
             wall_contacts: 0,
             uav_contacts: 0,
             flown: 0,
             connected: 0,
+            below_limit: 0,
+            is_heard_known: true,
             worst_link_db: None,
             head_reach_m: 0.0,
         }
@@ -69,10 +82,15 @@ impl<'a> Metrics<'a> {
     /// What the run came to.
     pub fn summary(&self, seed: u64, digest: String) -> Summary {
         // Only decisions with the final links: a launch or a failure within the last seconds counts from there.
-        let uavs = |links: &Vec<LinkFrame>| links.iter().map(|link| link.uav).collect::<Vec<_>>();
-        let in_the_end = self.at_the_end.last().map(uavs).unwrap_or_default();
-        let last: Vec<&Vec<LinkFrame>> = self.at_the_end.iter().filter(|l| uavs(l) == in_the_end).collect();
-        let links = in_the_end
+        let uavs = |links: &[LinkFrame]| links.iter().map(|link| link.uav).collect::<Vec<_>>();
+        let in_the_end = self.at_the_end.back().map(|last| uavs(&last.links)).unwrap_or_default();
+        let last: Vec<&[LinkFrame]> = self
+            .at_the_end
+            .iter()
+            .map(|instant| instant.links.as_slice())
+            .filter(|links| uavs(links) == in_the_end)
+            .collect();
+        let links: Vec<LinkSummary> = in_the_end
             .iter()
             .enumerate()
             .filter_map(|(i, &uav)| {
@@ -81,23 +99,37 @@ impl<'a> Metrics<'a> {
                 Some(LinkSummary { uav, true_db, filtered_db })
             })
             .collect();
+        let relays_needed = self.relays_needed();
+        let share = |count: u64| (self.flown > 0).then(|| count as f64 / self.flown as f64);
+        let evidence = Evidence {
+            course: self.course,
+            time_s: self.time_s,
+            airborne: &self.airborne,
+            has_launched: !self.launches_s.is_empty(),
+            down: &self.down,
+            head: &self.head,
+            links: &links,
+            last: &last,
+            relays_needed,
+        };
         Summary {
             scenario: self.course.scenario.name.clone(),
             seed,
             sim_s: self.time_s,
-            verdict: self.verdict(),
+            verdict: evidence.verdict(),
             launches_s: self.launches_s.clone(),
             uavs: self.uavs(),
             relays_used: self.airborne.iter().skip(1).filter(|airborne| **airborne).count(),
-            relays_needed: self.relays_needed(),
+            relays_needed,
             bottleneck_gap_db: self.bottleneck_gap_db(),
-            links,
             spread_db: median(last.iter().filter_map(|links| spread_db(links))),
+            links,
             worst_link_db: self.worst_link_db,
             converged_s: self.converged_s,
             wall_contacts: self.wall_contacts,
             uav_contacts: self.uav_contacts,
-            connected_fraction: self.connected as f64 / self.flown.max(1) as f64,
+            connected_fraction: share(self.connected).filter(|_| self.is_heard_known),
+            below_limit_fraction: share(self.below_limit),
             head_reach_m: self.head_reach_m,
             digest,
         }
@@ -111,40 +143,6 @@ impl<'a> Metrics<'a> {
     /// Whether the head is in the air.
     fn head_flies(&self) -> bool {
         self.airborne.first().is_some_and(|airborne| *airborne)
-    }
-
-    fn verdict(&self) -> Verdict {
-        let mut found = Vec::new();
-        let mut remarks = Vec::new();
-        // Whole ticks: both are multiples of one.
-        if self.time_s + 0.5 / TICKS_PER_S < self.duration_s {
-            found.push(Outcome::Interrupted { at_s: self.time_s, of_s: Some(self.duration_s) });
-        }
-        for &(uav, at_s) in &self.down {
-            match uav {
-                0 => found.push(Outcome::HeadFailed { at_s }),
-                _ => remarks.push(format!("UAV {uav} failed at {at_s:.2} s")),
-            }
-        }
-        if self.launches_s.is_empty() {
-            found.push(Outcome::NeverFlew);
-        }
-        let links = self.at_the_end.last().map_or(&[][..], Vec::as_slice);
-        let limit_db = self.limit_db;
-        let broken = links.iter().filter(|link| link.true_db >= limit_db).count();
-        let whole = Outcome::Completed {
-            way: None,
-            links: links.len(),
-            worst_db: links.iter().map(|link| link.true_db).max_by(f32::total_cmp),
-            s_min_db: self.course.scenario.takeoff.s_min_db,
-        };
-        let broken_link = |uav, cause| Outcome::ChainBroken { broken, links: links.len(), uav, cause };
-        if self.head_flies() && links.first().is_some_and(|link| link.filtered_db.is_none()) {
-            found.push(broken_link(0, Break::Silent { is_front: true, silent_s: None }));
-        } else if let Some(link) = links.iter().find(|link| link.true_db >= limit_db) {
-            found.push(broken_link(link.uav, Break::Loss { loss_db: link.true_db, limit_db }));
-        }
-        Verdict::new(whole, found, remarks)
     }
 
     /// Who has left the ground and who has come down since the last frame.
@@ -166,12 +164,16 @@ impl<'a> Metrics<'a> {
     fn decision(&mut self, frame: &Frame) {
         let true_db = frame.links.iter().map(|link| link.true_db);
         self.worst_link_db = self.worst_link_db.into_iter().chain(true_db).max_by(f32::total_cmp);
-        if self.head_flies() {
+        // Packets were exchanged before anybody took off or failed at this decision. Without its head the chain connects
+        // nobody to the operator.
+        let has_head = frame.links.first().is_some_and(|link| link.uav == 0);
+        if has_head || self.flown > 0 {
+            let connected = frame.is_connected(self.course.scenario.link.lost_s);
+            let is_below = has_head && frame.links.iter().all(|link| link.true_db < self.limit_db);
             self.flown += 1;
-            self.connected += u64::from(frame.links.iter().all(|link| link.true_db < self.limit_db));
-        } else if self.flown > 0 {
-            // Without its head the chain connects nobody to the operator.
-            self.flown += 1;
+            self.connected += u64::from(connected == Some(true));
+            self.is_heard_known &= connected.is_some();
+            self.below_limit += u64::from(is_below);
         }
         self.head_reach_m = self.head_reach_m.max(frame.head_reach_m);
         // In the tick of a launch the links are still those without the new UAV.
@@ -180,22 +182,31 @@ impl<'a> Metrics<'a> {
             let level = spread_db(&frame.links).is_some_and(|spread| spread < CONVERGED_DB);
             self.converged_s = level.then_some(self.decided_s);
         }
-        if self.time_s > self.duration_s - END_S {
-            self.at_the_end.push(frame.links.clone());
-            self.heads.push(frame.uavs.first().map_or(Vec2::NAN, |head| Vec2::new(head.x_m, head.y_m)));
-        }
+        self.keep(frame);
+    }
+
+    /// Forgets what is no longer one of the last decisions; its memory is used again.
+    fn keep(&mut self, frame: &Frame) {
+        let is_old = |first: &Instant| first.tick + END_TICKS <= frame.tick;
+        let old =
+            if self.at_the_end.front().is_some_and(is_old) { self.at_the_end.pop_front() } else { None };
+        let mut kept = old.unwrap_or_default();
+        kept.tick = frame.tick;
+        kept.head = frame.uavs.first().map_or(Vec2::NAN, |head| Vec2::new(head.x_m, head.y_m));
+        kept.links.clone_from(&frame.links);
+        self.at_the_end.push_back(kept);
     }
 
     fn relays_needed(&self) -> Option<usize> {
         let yardstick = self.course.yardstick().filter(|_| self.head_flies())?;
-        let depth_m = yardstick.tunnel().depth_m(*self.heads.last()?);
+        let depth_m = yardstick.tunnel().depth_m(self.at_the_end.back()?.head);
         yardstick.links_needed(depth_m).map(|links| links - 1)
     }
 
     fn bottleneck_gap_db(&self) -> Option<f32> {
         let yardstick = self.course.yardstick().filter(|_| self.head_flies())?;
         let mut best_db = BTreeMap::new();
-        let gaps = self.at_the_end.iter().zip(&self.heads).filter_map(|(links, head)| {
+        let gaps = self.at_the_end.iter().filter_map(|Instant { links, head, .. }| {
             let worst_db = links.iter().map(|link| link.true_db).max_by(f32::total_cmp)?;
             let depth = (yardstick.tunnel().depth_m(*head) / SAME_DEPTH_M).round();
             let best_db = *best_db
@@ -212,6 +223,7 @@ impl Recorder for Metrics<'_> {
         self.time_s = frame.time_s();
         self.decided_s = frame.decided_s();
         self.take_offs(frame);
+        self.head.look(frame, self.course);
         self.wall_contacts = frame.uavs.iter().map(|uav| uav.wall_contacts).sum();
         self.uav_contacts = frame.uavs.iter().map(|uav| uav.uav_contacts).sum::<u32>() / 2;
         if frame.decision {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::Verdict;
+use crate::analyse::Verdict;
 
 /// One link of the flying chain at the end of a run: medians over the last 10 s.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -37,7 +37,7 @@ pub struct Summary {
     /// someone who knows the map; `None` where no number does, or the tunnel's middle is not known.
     pub relays_needed: Option<usize>,
     /// How much worse the worst link is than that of the best chain with as many links and its head as deep, median
-    /// over the last 10 s (dB). The best chain stands in mid-tunnel, a real one need not: it can be a little
+    /// over the last 10 s (dB). The best chain stands in mid-tunnel, a real one need not: where it cuts corners it can be
     /// negative. `None` without links, or where the tunnel's middle is not known.
     pub bottleneck_gap_db: Option<f32>,
     /// Links at the end, head first, base link last.
@@ -53,10 +53,13 @@ pub struct Summary {
     pub wall_contacts: u32,
     /// Contacts between UAVs begun.
     pub uav_contacts: u32,
+    /// Share of the decisions since the head's take-off at which it flew and every link had been heard within
+    /// `link.lost_s`, both ways (1); `None` if it never flew, or a recording does not say.
+    pub connected_fraction: Option<f64>,
     /// Share of the decisions since the head's take-off at which it flew and every link's true loss was below
-    /// the reception limit.
-    pub connected_fraction: f64,
-    /// Farthest tunnel distance of the head from the base (m).
+    /// `packets.limit_db` (1), *connected* in the sense of the papers; `None` if it never flew.
+    pub below_limit_fraction: Option<f64>,
+    /// Farthest tunnel distance of the head from the base (m), on the ground too.
     pub head_reach_m: f32,
     /// Hash over every bit of every UAV's pose, velocity and contacts at every tick, and of every link at every
     /// decision, 16 hex digits.
