@@ -75,6 +75,9 @@ const LIST: [Ablation; 10] = [
     one("tolerance", "tolerance T", "equalize.tolerance_db", &["0", "2", "5", "8"], 0),
 ];
 
+/// How a comparison begins that shows a faster convergence.
+const FASTER: &str = "faster";
+
 /// What is looked at: name, digits, and how it is read off.
 type Metric = (&'static str, usize, fn(&Summary) -> Option<f64>);
 const METRICS: [Metric; 7] = [
@@ -102,17 +105,9 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
              convergence with the default's, `predict` with `hold` at the same loss, in pairs (t test, p of both sides); \
              shown below p = {SURE}, 5 % over some 50 comparisons."
         ),
-        notes: vec![
-            "Convergence counts from the start and begins anew with every launch. Where it is early at 60 % loss, a hold of \
-             4 s, ToF noise of 0.2 m or a tolerance of 8 dB, the chain is shorter, not better: the head is stopped on its way \
-             (*head reach*), or a relay too few is in the air (*relays too many* below 0)."
-                .to_owned(),
-            "A five times as large needs a relay too many in every run; without optic flow (A = 0) nearly so: what leads too \
-             far and what lags both launch late needless relays."
-                .to_owned(),
-        ],
         ..Outcome::default()
     };
+    let (mut shorter, mut needless) = (Vec::new(), Vec::new());
     for ablation in &LIST {
         let lines: &[&str] = ablation.lines.map_or(&[""], |(_, values)| values);
         let mut vary = vec![format!("{}={}", ablation.key, ablation.values.join(","))];
@@ -147,6 +142,20 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
                     (v != ablation.default).then_some((ablation.default, l))
                 };
                 let compared = other.map_or_else(|| "–".to_owned(), |(v, l)| against(runs, at(v, l)));
+                if let Some((other_v, other_l)) = other
+                    && compared.starts_with(FASTER)
+                    && is_shorter(runs, at(other_v, other_l))
+                {
+                    shorter.push(format!("`{}`", assignment(ablation, value, line)));
+                }
+                let too_many = runs
+                    .iter()
+                    .filter(|run| run.relays_needed.is_some_and(|needed| run.relays_used > needed))
+                    .count();
+                if too_many > 0 && 2 * too_many >= runs.len() {
+                    let what = assignment(ablation, value, line);
+                    needless.push(format!("`{what}` in {too_many} of {}", runs.len()));
+                }
                 table.rows.push(words.iter().cloned().chain(cells).chain([compared]).collect());
                 for (replicate, run) in runs.iter().enumerate() {
                     let numbers = METRICS.iter().map(|metric| cell((metric.2)(run), 4));
@@ -158,7 +167,33 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
         outcome.draw(&format!("ablations-{}", ablation.id), &picture(ablation, lines, &at))?;
         outcome.tables.extend([table, single]);
     }
+    let all = |found: &[String]| if found.is_empty() { "nowhere".to_owned() } else { found.join(", ") };
+    outcome.notes = vec![
+        format!(
+            "Convergence counts from the start and begins anew with every launch. Where it is faster because the chain is \
+             shorter, it is not better: the head is stopped on its way (*head reach*), or a relay too few is in the air \
+             (*relays too many* below 0). That is so with: {}.",
+            all(&shorter)
+        ),
+        format!("A relay too many is in the air in half of the runs or more with: {}.", all(&needless)),
+    ];
     Ok(outcome)
+}
+
+/// `key=value`, of one key or two.
+fn assignment(ablation: &Ablation, value: &str, line: &str) -> String {
+    let second = ablation.lines.map_or_else(String::new, |(key, _)| format!(" {key}={line}"));
+    format!("{}={value}{second}", ablation.key).replace('"', "")
+}
+
+/// Whether the head comes less far, or fewer relays are in the air than are needed, than with others.
+fn is_shorter(runs: &[Summary], others: &[Summary]) -> bool {
+    let [relays, reach] = ["relays too many", "head reach (m)"].map(|name| {
+        let metric = METRICS.iter().find(|metric| metric.0 == name);
+        let of = |runs| metric.map_or_else(Vec::new, |metric| sample(runs, metric));
+        is_less_in_pairs(&of(runs), &of(others)).is_some_and(|p| p < SURE)
+    });
+    relays || reach
 }
 
 /// Whether convergence is faster or slower than that of others, in pairs; p of both sides.
@@ -169,7 +204,7 @@ fn against(runs: &[Summary], others: &[Summary]) -> String {
     let p = (2.0 * faster.min(slower)).min(1.0);
     let word = match p {
         p if p >= SURE => "not shown",
-        _ if faster < slower => "faster",
+        _ if faster < slower => FASTER,
         _ => "slower",
     };
     format!("{word}, {}", p_value(Some(p)))

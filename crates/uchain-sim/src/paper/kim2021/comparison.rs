@@ -119,6 +119,47 @@ impl Comparison {
         (0..ROBOTS.len()).map(of).collect()
     }
 
+    /// What flight levels alone are worth: with how many robots they save or cost something that shows.
+    pub(super) fn levels_alone(&self) -> String {
+        let words = [ITERATIONS, DISTANCE].map(|metric| {
+            let saved = self.saved([1, 2], metric);
+            let with = |shows: fn(&[f64; 3]) -> bool| {
+                let robots = ROBOTS.iter().zip(&saved).filter(|(_, saved)| shows(saved));
+                let robots: Vec<String> = robots.map(|(robots, _)| robots.to_string()).collect();
+                if robots.is_empty() { "no number of".to_owned() } else { robots.join(", ") }
+            };
+            let (saves, costs) = (with(|[_, low, _]| *low > 0.0), with(|[_, _, high]| *high < 0.0));
+            format!("{} saved with {saves} robots, lost with {costs} robots", metric.name)
+        });
+        format!(
+            "Flight levels alone (`{}` over `{}`), by intervals that leave out 0: {}.",
+            STRATEGIES[1],
+            STRATEGIES[2],
+            words.join("; ")
+        )
+    }
+
+    /// In which share of its robots' rounds the strategy that holds positions does so, with 2, 3, 4 and 5 robots.
+    pub(super) fn holding(&self) -> String {
+        let mean = |n, metric| Estimate::of(&self.sample(2, n, metric)).map_or(f64::NAN, |of| of.mean);
+        let share = |(n, robots): (usize, &usize)| {
+            let percent = 100.0 * mean(n, HOLDS) / (mean(n, ITERATIONS) * *robots as f64);
+            format!("{percent:.1}")
+        };
+        let shares: Vec<String> = ROBOTS.iter().enumerate().map(share).collect();
+        format!(
+            "Robots of `{}` that hold wait one round, for another that moves: {} % of all rounds of a robot, with 2 to 5 \
+             robots, and no way",
+            STRATEGIES[2],
+            shares.join(", ")
+        )
+    }
+
+    /// Saved over the number of robots, in the mean (%).
+    pub(super) fn saved_mean(&self, pair: [usize; 2], metric: Metric) -> f64 {
+        self.saved(pair, metric).iter().map(|[saved, ..]| saved).sum::<f64>() / ROBOTS.len() as f64
+    }
+
     /// Ours beside the published range.
     fn row(&self, claim: &Claim) -> Row {
         let ([a, b], saved) = (claim.pair, self.saved(claim.pair, claim.metric));
@@ -128,7 +169,7 @@ impl Comparison {
         let ours = cells.collect::<Vec<_>>().join(", ");
         let what = format!("{} saves over {}: {} (%)", STRATEGIES[a], STRATEGIES[b], claim.metric.name);
         let Some([least, most]) = claim.range else { return Row::fact(&what, ours) };
-        let mean = saved.iter().map(|[saved, ..]| saved).sum::<f64>() / saved.len() as f64;
+        let mean = self.saved_mean(claim.pair, claim.metric);
         let within = saved.iter().filter(|[saved, ..]| (least..=most).contains(saved)).count();
         let meets = saved.iter().all(|[_, low, high]| *low <= most && *high >= least);
         let ours = format!("{ours}; mean {mean:.1}, {within} of {} within", saved.len());

@@ -20,11 +20,12 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
     outcome.rows.extend([ITERATIONS, DISTANCE].map(|metric| comparison.grows([1, 2], metric)));
     outcome.notes = vec![
         JUDGED.to_owned(),
-        "Flight levels alone (`cssg-random` over `srg`) save nothing here, and cost with five robots. Robots of `srg` that \
-         hold wait one round, for another that moves; a robot that is parked or holds is passed on another level, without \
-         which the strategy deadlocks. So holding costs few rounds (fifth column) and no way. How often and for how long \
-         robots of the published `srg` held is not printed."
-            .to_owned(),
+        comparison.levels_alone(),
+        format!(
+            "{}; one that is parked or holds is passed on another level, without which the strategy deadlocks. How often and \
+             for how long robots of the published `srg` held is not printed.",
+            comparison.holding()
+        ),
     ];
     Ok(outcome)
 }

@@ -94,8 +94,8 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
             ),
         ],
         notes: vec![
-            "The published map's size is not printed; ours has nine rooms on 10 m x 10 m, chosen because that fits the \
-             iteration counts of Fig. 9 and 10: that they agree is no evidence, and is not counted. The pictures are of \
+            "The published map's size is not printed; ours has nine rooms on 10 m x 10 m, chosen to fit the \
+             iteration counts of Fig. 9 and 10: whether they agree is no evidence, and is not counted. The pictures are of \
              replicate 0."
                 .to_owned(),
         ],

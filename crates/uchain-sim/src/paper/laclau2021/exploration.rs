@@ -1,6 +1,8 @@
 //! The exploration of Laclau 2021, Fig. 4D to F: the head flies 10 m into the circuit, relays follow; three treatments
 //! of the signal, 30 runs each, with the same noise, by three readings of the paper.
 
+use uchain_core::chain::CenterParams;
+
 use super::watch::{Sample, Watched, spread, watch};
 use crate::{
     config::Course,
@@ -24,15 +26,17 @@ pub(super) const REPLICATES: u64 = 30;
 pub(super) const STOP_S: f64 = 52.0;
 pub(super) const DURATION_S: f64 = 120.0;
 /// Losses this near to each other are level (dB): the authors' simulator.
-const LEVEL_DB: f64 = 7.0;
+pub(super) const LEVEL_DB: f64 = 7.0;
 /// Links that count (Fig. 4E and F leave the fourth one out).
-const LINKS: usize = 3;
+pub(super) const LINKS: usize = 3;
+/// Level is looked for from a tenth of the run on (s).
+pub(super) const FROM_S: f64 = 0.1 * DURATION_S;
 /// The end: the last seconds (s).
 pub(super) const END_S: f64 = 30.0;
 /// Decisions in a window of ten seconds.
 const WINDOW: usize = 50;
 /// Loss of a relay that is still parked at the base (dB).
-const PARKED_DB: f64 = 35.0;
+pub(super) const PARKED_DB: f64 = 35.0;
 /// Threshold of a launch (dB).
 pub(super) const S_MIN_DB: f64 = 60.0;
 
@@ -45,17 +49,18 @@ pub(super) struct Flight {
     pub(super) launches_s: Vec<f64>,
     pub(super) relays_used: usize,
     pub(super) relays_needed: Option<usize>,
+    /// How far the head came (m).
+    pub(super) head_reach_m: f64,
 }
 
 /// By treatment, then by replicate.
 pub(super) type Treated = Vec<Vec<Flight>>;
 
 /// Readings of what the paper says: their names, whether T0 and T5 launch on the raw signal, and further settings.
-const READINGS: [(&str, bool, &[&str]); 3] = [
-    ("authors' simulator", false, &[]),
-    ("raw launches", true, &[]),
-    ("as printed", true, &["equalize.law=\"lipschitz\"", "equalize.v_max_mps=0.3"]),
-];
+const READINGS: [(&str, bool, &[&str]); 3] =
+    [("authors' simulator", false, &[]), ("raw launches", true, &[]), ("as printed", true, PRINTED)];
+/// Eq. 12 and its largest speed as the text prints them.
+pub(super) const PRINTED: &[&str] = &["equalize.law=\"lipschitz\"", "equalize.v_max_mps=0.3"];
 /// Place of the second one.
 const RAW: usize = 1;
 
@@ -66,17 +71,29 @@ pub(in crate::paper) struct Exploration {
     treated: Vec<Treated>,
     /// K once more, its filter without optic flow (A = 0), by the first reading.
     pub(super) without_flow: Vec<Flight>,
+    /// K once more with this project's default slowing near walls, by the first reading.
+    pub(super) default_slowing: Vec<Flight>,
 }
 
 impl Exploration {
     pub(in crate::paper) fn fly() -> Result<Self, PaperError> {
         let treated = READINGS.iter().map(|(_, raw, sets)| treated(*raw, sets)).collect::<Result<_, _>>()?;
-        Ok(Self { treated, without_flow: variant(&["kalman.flow_gain_db_per_m=0"])? })
+        let slowing = format!("center.slow_over_m={}", CenterParams::default().slow_over_m);
+        Ok(Self {
+            treated,
+            without_flow: variant(&["kalman.flow_gain_db_per_m=0"])?,
+            default_slowing: variant(&[&slowing])?,
+        })
     }
 
     /// Names of readings, and what was flown.
     pub(super) fn readings(&self) -> impl Iterator<Item = (&'static str, &Treated)> {
         READINGS.iter().map(|(name, ..)| *name).zip(&self.treated)
+    }
+
+    /// K of the first reading.
+    pub(super) fn simulated(&self) -> &[Flight] {
+        self.treated.first().and_then(|treated| treated.last()).map_or(&[], Vec::as_slice)
     }
 
     /// The second reading.
@@ -108,6 +125,7 @@ fn fly(course: &Course, one: Run) -> Result<Flight, RunError> {
         launches_s: summary.launches_s,
         relays_used: summary.relays_used,
         relays_needed: summary.relays_needed,
+        head_reach_m: f64::from(summary.head_reach_m),
     })
 }
 
@@ -120,7 +138,7 @@ fn spread_db(sample: &Sample) -> f64 {
 impl Flight {
     /// First time from a tenth of the run on at which links are level (s).
     pub(super) fn converged_s(&self) -> Option<f64> {
-        let is_level = |sample: &&Sample| sample.time_s >= 0.1 * DURATION_S && spread_db(sample) < LEVEL_DB;
+        let is_level = |sample: &&Sample| sample.time_s >= FROM_S && spread_db(sample) < LEVEL_DB;
         self.samples.iter().find(is_level).map(|sample| sample.time_s)
     }
 
@@ -153,6 +171,13 @@ impl Flight {
     /// When the fourth UAV took off (s).
     pub(super) fn fourth_s(&self) -> Option<f64> {
         self.launches_s.get(3).copied()
+    }
+
+    /// First time from the head's stop on at which the head's link is not above the threshold (s).
+    pub(super) fn head_within_s(&self) -> Option<f64> {
+        let mut late = self.samples.iter().filter(|sample| sample.time_s >= STOP_S);
+        let within = late.find(|sample| sample.true_db().next().is_some_and(|db| db <= S_MIN_DB));
+        within.map(|sample| sample.time_s)
     }
 
     /// It used more relays than the best chain needs.

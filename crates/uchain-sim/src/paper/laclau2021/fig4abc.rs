@@ -140,7 +140,7 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
         "fig4abc",
         &["corridor", "replicate", "start_1_m", "start_2_m", "start_3_m", "converged_s", "end_spread_db"],
     );
-    let mut axes = Vec::new();
+    let (mut axes, mut in_the_corner) = (Vec::new(), None);
     for (panel, (name, centre_line)) in ["A", "B", "C"].iter().zip(CORRIDORS) {
         let source = written(name, scenario(name, centre_line));
         let asked = Asked { source, sets: &[], vary: &[], replicates: STARTS };
@@ -165,6 +165,7 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
         ));
         if name == "corner" {
             outcome.rows.extend(corner(&all, centre_line)?);
+            in_the_corner = Some(who_never_converges(&all));
         }
         for (replicate, run) in all.iter().enumerate() {
             let words = [name.to_owned(), replicate.to_string()];
@@ -183,21 +184,34 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
         "How UAVs stand at the start is not printed. Here they are in the order of the chain (UAVs cannot pass one another), \
          and in a corner each looks across it, as one does that flies round it; the last row has the other choice."
             .to_owned(),
-        "Who does not converge has, but for one, the last relay beyond the corner at the start. It has to fly backward round \
-         it; the one looked at turned the wrong way in the corner's outer dead end and stayed there. Thirty starts can miss \
-         this."
-            .to_owned(),
     ];
+    outcome.notes.extend(in_the_corner);
     let title = "Losses of four links, one of 30 random starts each (Laclau 2021, Fig. 4A to C)".to_owned();
     outcome.draw("fig4abc", &Figure { title, axes })?;
     outcome.tables.push(table);
     Ok(outcome)
 }
 
+/// The last relay starts beyond the sharp corner.
+fn is_beyond(run: &Levelling) -> bool {
+    run.starts_m.last().is_some_and(|depth_m| *depth_m > CORNER_M)
+}
+
+/// Where relays of the corner start that never level their links.
+fn who_never_converges(all: &[Levelling]) -> String {
+    let never = |runs: &[Levelling]| runs.iter().filter(|run| run.converged_s.is_none()).count();
+    let beyond = all.iter().filter(|run| run.converged_s.is_none() && is_beyond(run)).count();
+    format!(
+        "Of the {} starts of the corner that do not converge, {beyond} have the last relay beyond it, which then has to fly \
+         backward round it. Among the first {REPLICATES}, as many as were published, {} do not converge.",
+        never(all),
+        never(all.get(..REPLICATES).unwrap_or(all))
+    )
+}
+
 /// What matters at the sharp corner: who starts beyond it, and how it looks.
 fn corner(all: &[Levelling], centre_line: &str) -> Result<[Row; 2], PaperError> {
-    let beyond: Vec<&Levelling> =
-        all.iter().filter(|run| run.starts_m.last().is_some_and(|depth_m| *depth_m > CORNER_M)).collect();
+    let beyond: Vec<&Levelling> = all.iter().filter(|run| is_beyond(run)).collect();
     let converged = beyond.iter().filter(|run| run.converged_s.is_some()).count();
     let source = written("corner", scenario("corner", centre_line));
     let asked = Asked { source, sets: &[], vary: &[], replicates: REPLICATES as u64 };

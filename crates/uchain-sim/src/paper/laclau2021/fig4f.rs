@@ -1,16 +1,21 @@
 //! Laclau 2021, Fig. 4F: how much relays move once the chain has converged.
 
+use uchain_core::chain::equalize;
+
 use super::{
-    exploration::{END_S, Flight, TREATMENTS, Treated},
+    exploration::{END_S, Exploration, Flight, PRINTED, S_MIN_DB, TREATMENTS, Treated},
     fig4d::SETUP,
 };
 use crate::{
     analyse::{Tendency, tends_to_be_less},
+    config::Scenario,
     draw::figure::{Axes, Figure, Mark},
     paper::{
         Flights, Item, Outcome, PaperError, Row, Table,
+        flights::scenario,
         outcome::{cell, is_significant, shown, tendency},
     },
+    sweep::DesignError,
 };
 
 pub(in crate::paper) const FIG4F: Item = Item {
@@ -70,7 +75,8 @@ fn regenerate(flights: &Flights) -> Result<Outcome, PaperError> {
             counted(&end_spreads(&exploration.without_flow, relay)),
         ));
     }
-    let mut outcome = Outcome { setup: SETUP.to_owned(), rows, notes: notes(), ..Outcome::default() };
+    let notes = notes(exploration)?;
+    let mut outcome = Outcome { setup: SETUP.to_owned(), rows, notes, ..Outcome::default() };
     outcome.tables = vec![table, single];
     let title = "Standard deviation of depths within 10 s at the end, 30 runs each (Laclau 2021, Fig. 4F)";
     outcome.draw("fig4f", &Figure { title: title.to_owned(), axes })?;
@@ -86,22 +92,56 @@ fn counted(sample: &[f64]) -> String {
     }
 }
 
-fn notes() -> Vec<String> {
-    vec![
+fn notes(flown: &Exploration) -> Result<Vec<String>, PaperError> {
+    let of_all = |relay: usize, has_fourth: bool| -> Vec<f64> {
+        let all = flown.readings().flat_map(|(_, treated)| treated.iter().flatten());
+        let chosen = all.filter(|run| run.fourth_s().is_some() == has_fourth);
+        chosen.filter_map(|run| run.spread_m(relay)).collect()
+    };
+    let moved = [1, 2].map(|relay| {
+        let [with, without] = [true, false].map(|has_fourth| shown(&of_all(relay, has_fourth), 2, " m"));
+        format!("relay {relay} {with} in runs with one and {without} in those without")
+    });
+    let of_readings = |(name, treated): (&str, &Treated)| {
+        let count =
+            |runs: &Vec<Flight>| runs.iter().filter(|run| run.fourth_s().is_some()).count().to_string();
+        format!("{} ({name})", treated.iter().map(count).collect::<Vec<_>>().join(", "))
+    };
+    let counts: Vec<String> = flown.readings().map(of_readings).collect();
+    let still = |(_, treated): &(&str, &Treated)| {
+        let of = |i: usize| treated.get(i).map_or(Vec::new(), |runs| end_spreads(runs, 1));
+        is_significant(tends_to_be_less(&of(2), &of(1)).map(|tendency| tendency.p))
+    };
+    let (still, readings) = (flown.readings().filter(still).count(), flown.readings().count());
+    let [simulated_mm, printed_mm] = [&[][..], PRINTED].map(step_mm);
+    Ok(vec![
         format!(
             "Judged and drawn is what noise does: the deviation of a depth (along the middle of the tunnel) within windows of \
              10 s, over the last {END_S} s, in runs in which nobody took off in them. The other measure is the deviation \
              from convergence or the head's stop, whichever is later, to the end, fourth launches and slow drift included."
         ),
-        "A fourth launch moves all relays, the last one (relay 2) most. So with raw launches relay 2 shows the published \
-         order by the second measure because T0 and T5 always launch a fourth UAV and K seldom: an order of launches, not \
-         of noise."
-            .to_owned(),
-        "The authors' speed law turns 1 dB of difference into about 5 mm a decision, so a raw sample moves a relay little, \
-         and successive errors cancel along its way; Eq. 12 as printed turns 1 dB into 13 mm (k = 25 dB/m). That relay 1 \
-         moves least under K shows by every reading once drift is left out."
-            .to_owned(),
-    ]
+        format!(
+            "A fourth launch moves relays: by the second measure, over all runs, {}. So where treatments differ in fourth \
+             launches that measure orders launches, not noise. Fourth launches under T0, T5 and K: {}.",
+            moved.join(", "),
+            counts.join("; ")
+        ),
+        format!(
+            "1 dB of difference between two links at s_min becomes {:.1} mm a decision by the authors' speed law, and {:.1} mm \
+             by Eq. 12 as printed. Once drift is left out, relay 1 moves less under K than under T5 by {still} of {readings} \
+             readings (p < 0.05).",
+            simulated_mm?, printed_mm?
+        ),
+    ])
+}
+
+/// How far a relay flies in one decision for 1 dB of difference between two links at the threshold of a launch (mm).
+fn step_mm(sets: &[&str]) -> Result<f64, PaperError> {
+    let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
+    let read = Scenario::parse(&scenario("circuit-frontiers2021"), &sets).map_err(DesignError::from)?;
+    let params = read.equalize;
+    let speed_mps = equalize(S_MIN_DB as f32, S_MIN_DB as f32 - 1.0, &params);
+    Ok(1000.0 * f64::from(speed_mps * params.decision_s))
 }
 
 fn verdicts(how: &str, relay: usize, treated: &Treated) -> Vec<Row> {
