@@ -20,6 +20,11 @@ pub enum Origin {
         /// The file, or `<builtin corner>`.
         label: String,
     },
+    /// A map that stands for its exploration: nobody wrote a scenario around it.
+    Map {
+        /// The file.
+        file: String,
+    },
     /// A line of a compiled-in preset.
     Preset {
         /// The preset's name.
@@ -44,6 +49,7 @@ impl fmt::Display for Origin {
         match self {
             Self::Line { label, line } => write!(f, "{label}:{line}"),
             Self::Whole { label } => f.write_str(label),
+            Self::Map { file } => f.write_str(file),
             Self::Preset { name, line } => write!(f, "<preset {name}>:{line}"),
             Self::Set { assignment } => write!(f, "--set {assignment}"),
             Self::Argument { typed } => f.write_str(typed),
@@ -164,7 +170,7 @@ pub enum ConfigError {
         expected: String,
     },
     /// The tunnel cannot be built.
-    #[error("{at}: {key}: {cause}")]
+    #[error("{}", of_map(at, key, cause))]
     Map {
         /// Where.
         at: Origin,
@@ -225,6 +231,17 @@ impl ConfigError {
 
     pub(super) fn unknown_preset(name: &str, choices: Choices) -> Self {
         Self::UnknownPreset { name: shorten(name), choices: Box::new(choices) }
+    }
+}
+
+/// What is wrong with a map. Where nobody wrote a scenario, a map's own fault has no key.
+fn of_map(at: &Origin, key: &str, cause: &MapError) -> String {
+    match at {
+        Origin::Map { file } if cause.is_of_a_file() && key.starts_with("map.") => {
+            let cause = cause.to_string();
+            if cause.starts_with(file.as_str()) { cause } else { format!("{file}: {cause}") }
+        }
+        _ => format!("{at}: {key}: {cause}"),
     }
 }
 

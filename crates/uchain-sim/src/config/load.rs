@@ -89,16 +89,43 @@ pub(super) fn explain(error: &toml::de::Error, document: &Document<'_>) -> Confi
             let choices = Choices { nearest: Some(join(table, name)), known: Vec::new() };
             return ConfigError::UnknownKey { at, key: join(&path, name), choices: Box::new(choices) };
         }
-        let expected =
-            "expected one of the tables [map.corridor], [map.walls], [map.movingai] and [map.ros], and only one".to_owned();
+        let expected = format!("expected {MAPS}");
         return ConfigError::Invalid { at, key: path, got: "{ … }".to_owned(), expected };
     }
-    let (found, expected) = message.rsplit_once(", expected ").unwrap_or((message, "another value"));
-    ConfigError::Invalid {
-        at,
-        got: document.written(&path).unwrap_or_else(|| shorten(found)),
-        key: path,
-        expected: format!("expected {}", plain_type(expected)),
+    let (found, expected) = message.rsplit_once(", expected ").unwrap_or((message, message));
+    // Of a value within a `--set` the path is that of the whole: there the one that was found is meant.
+    let got = match document.shown(&path) {
+        Some(got) if !is_within(found, &got) => got,
+        _ => plain_value(found),
+    };
+    let expected = if path == "map" { MAPS.to_owned() } else { plain_type(expected, &path) };
+    ConfigError::Invalid { at, got, key: path, expected: format!("expected {expected}") }
+}
+
+/// What a map may be.
+const MAPS: &str =
+    "one of the tables [map.corridor], [map.walls], [map.movingai] and [map.ros], and only one";
+
+/// Whether a message is about a piece of a list or table that was given as a whole.
+fn is_within(found: &str, got: &str) -> bool {
+    let is_whole = (got.starts_with("a list")
+        && (found.ends_with("sequence") || found.starts_with("invalid length")))
+        || (got == "a table" && found.ends_with("map"));
+    got.starts_with("a ") && found.starts_with("invalid ") && !is_whole
+}
+
+/// A value as a deserializer names it, in plain words.
+fn plain_value(found: &str) -> String {
+    let value = found.strip_prefix("invalid type: ").or_else(|| found.strip_prefix("invalid value: "));
+    match value {
+        Some("map") => "a table".to_owned(),
+        Some("sequence") => "a list".to_owned(),
+        // "integer `5`", "floating point `5.0`", "boolean `true`", "string "a"".
+        Some(value) => shorten(value.split_once(' ').map_or(value, |(_, value)| value).trim_matches('`')),
+        None => match found.strip_prefix("invalid length ") {
+            Some(count) => format!("a list of {count}"),
+            None => "a value of another kind".to_owned(),
+        },
     }
 }
 
@@ -137,16 +164,34 @@ fn unknown<'m>(message: &'m str, start: &str) -> Option<(&'m str, Vec<String>)> 
     Some((got, known))
 }
 
+/// The range of a key by its full name; of an entry of a list that of all of them.
+fn range_of(path: &str) -> Option<(f64, f64)> {
+    let number = |step: &str| step.parse::<usize>().is_ok();
+    let plain: Vec<&str> = path.split('.').map(|step| if number(step) { "0" } else { step }).collect();
+    let (table, name) = plain.split_last().map(|(name, table)| (table.join("."), *name))?;
+    let keys = TABLES.iter().filter(|(known, _)| *known == table).flat_map(|(_, keys)| keys.iter());
+    keys.into_iter().find(|key| key.name == name)?.range
+}
+
 /// Rust's names of types in plain words.
-fn plain_type(expected: &str) -> String {
+fn plain_type(expected: &str, path: &str) -> String {
     let words = match expected {
         "f32" | "f64" => "a number",
-        "u16" | "u32" | "u64" | "usize" => "a whole number, not negative",
+        "u16" | "u32" | "u64" | "usize" => {
+            return range_of(path).map_or_else(
+                || "a whole number, not negative".to_owned(),
+                |(low, high)| format!("a whole number, {low} to {high}"),
+            );
+        }
+        "a string" => "text in quotes",
+        "wanted string or table" => "one of its words, in quotes",
+        other if other.contains("float") => "a number that is not as large",
         "a boolean" => "true or false",
         "a sequence" => "a list [ … ]",
         "an array of length 2" => "two numbers [x, y]",
         other if other.starts_with("struct ") => "a table",
-        other => other,
+        other if other.starts_with(char::is_lowercase) && other.contains(' ') => other,
+        _ => "a value of another kind",
     };
     shorten(words)
 }

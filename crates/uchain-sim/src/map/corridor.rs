@@ -124,7 +124,12 @@ fn corners_of(centre_line: &[Vertex], width_m: f64, closed: bool) -> Result<Vec<
     }
     for leg in 0..legs {
         let length_m = corners[leg].leg_m;
-        let needed_m = corners[leg].setback_m + corners[(leg + 1) % count].setback_m;
+        let next = (leg + 1) % count;
+        for corner in [leg, next].into_iter().filter(|&corner| !corners[corner].setback_m.is_finite()) {
+            let DVec2 { x, y } = at(corner);
+            return Err(MapError::TurnsBack { corner, x, y });
+        }
+        let needed_m = corners[leg].setback_m + corners[next].setback_m;
         if needed_m > length_m * (1.0 + 1e-9) {
             return Err(MapError::LegTooShort { leg, length_m, needed_m });
         }

@@ -1,6 +1,6 @@
 //! What can be wrong with a map, with the numbers that say why.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Why a map, a corridor or a tunnel distance cannot be had.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -43,7 +43,10 @@ pub enum MapError {
         most: usize,
     },
     /// A leg of a centre line that has no room for the bends at its ends.
-    #[error("leg {leg} of the centre line is {length_m} m long; the corners at its ends need {needed_m} m")]
+    #[error(
+        "leg {leg} of the centre line is {length_m} m long; it has to be longer than the {needed_m} m that the corners at \
+         its ends take up"
+    )]
     LegTooShort {
         /// Which leg, counted from 0.
         leg: usize,
@@ -51,6 +54,18 @@ pub enum MapError {
         length_m: f64,
         /// What the corners at its two ends take up (m).
         needed_m: f64,
+    },
+    /// A centre line that goes back the way it came.
+    #[error(
+        "corner {corner} of the centre line, at ({x}, {y}) m, goes back the way it came; turn by less than 180° there"
+    )]
+    TurnsBack {
+        /// Which corner, counted from 0.
+        corner: usize,
+        /// Where (m).
+        x: f64,
+        /// Where (m).
+        y: f64,
     },
     /// A bend whose inner wall would turn inside out.
     #[error(
@@ -134,10 +149,10 @@ pub enum MapError {
         /// What it holds.
         got: String,
         /// What it should hold.
-        expected: &'static str,
+        expected: String,
     },
     /// The picture a map file names cannot be read.
-    #[error("{}: image = {}: {why}", file.display(), image.display())]
+    #[error("{}{why}", of_image(file, image))]
     Image {
         /// The map file whose key `image` names the picture.
         file: PathBuf,
@@ -152,4 +167,30 @@ pub enum MapError {
         /// The file asked for.
         file: PathBuf,
     },
+}
+
+/// Where a picture is named; one that stands for itself is named once.
+fn of_image(file: &Path, image: &Path) -> String {
+    let file_name = file.display();
+    if file == image {
+        format!("{file_name}: ")
+    } else {
+        format!("{file_name}: image = {}: ", image.display())
+    }
+}
+
+impl MapError {
+    /// Whether it is about a file, or what is drawn in it, and not about a value of the scenario.
+    pub(crate) fn is_of_a_file(&self) -> bool {
+        matches!(
+            self,
+            Self::Read { .. }
+                | Self::Key { .. }
+                | Self::Image { .. }
+                | Self::NoMapFiles { .. }
+                | Self::Count { .. }
+                | Self::WallsCross { .. }
+                | Self::Coordinate { .. }
+        )
+    }
 }

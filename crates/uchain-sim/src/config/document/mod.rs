@@ -4,7 +4,7 @@
 mod merge;
 mod path;
 
-use std::ops::Range;
+use std::{ops::Range, path::Path};
 
 use toml::{
     Spanned,
@@ -15,6 +15,7 @@ use super::{
     ConfigError, Preset, Source,
     diagnose::{Origin, not_an_entry, shorten},
     keys::{TABLES, holds},
+    kind_of_map,
 };
 
 use merge::{fill_in, map_spans};
@@ -102,8 +103,18 @@ impl<'i> Document<'i> {
             return Err(wrong("expected key=value with a key such as equalize.v_max_mps".to_owned()));
         }
         let start = self.source.text.len() + 1 + index;
-        let mut value = DeValue::parse(text.trim())
-            .unwrap_or_else(|_| Spanned::new(0..0, DeValue::String(text.trim().into())));
+        let mut value = match DeValue::parse(text.trim()) {
+            Ok(value) => value,
+            // What begins like a list, a table or a text in quotes was meant to be one, and no bare word.
+            Err(error) if text.trim().starts_with(['[', '{', '"', '\'']) => {
+                let value = shorten(text.trim());
+                return Err(wrong(format!(
+                    "not a value in TOML: {value}: {}",
+                    shorten_message(error.message())
+                )));
+            }
+            Err(_) => Spanned::new(0..0, DeValue::String(text.trim().into())),
+        };
         map_spans(&mut value, &|_| start..start + 1);
 
         let mut here = &mut self.root;
@@ -203,6 +214,16 @@ impl<'i> Document<'i> {
         }
     }
 
+    /// What stands at a key, in a few words; `None` where nothing does.
+    pub(super) fn shown(&self, path: &str) -> Option<String> {
+        let (Some(value), true) = self.follow(path) else { return None };
+        self.written(path).or_else(|| match value.get_ref() {
+            DeValue::Array(items) => Some(format!("a list of {}", items.len())),
+            DeValue::Table(_) => Some("a table".to_owned()),
+            _ => None,
+        })
+    }
+
     /// How many entries a list has; `None` where no list was written.
     pub(super) fn count(&self, path: &str) -> Option<usize> {
         let (Some(value), true) = self.follow(path) else { return None };
@@ -247,10 +268,21 @@ impl<'i> Document<'i> {
 }
 
 fn whole(source: &Source) -> Origin {
+    if is_map(source) {
+        return Origin::Map { file: source.label.clone() };
+    }
     Origin::Whole { label: source.label.clone() }
 }
 
+/// Whether a map stands for its exploration, in a text that nobody has written.
+fn is_map(source: &Source) -> bool {
+    kind_of_map(Path::new(&source.label)).is_some()
+}
+
 fn line_of(source: &Source, byte: usize) -> Origin {
+    if is_map(source) {
+        return whole(source);
+    }
     Origin::Line { label: source.label.clone(), line: line(&source.text, byte) }
 }
 

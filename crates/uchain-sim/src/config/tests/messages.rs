@@ -1,4 +1,7 @@
-use super::{Course, PLAIN, source};
+use super::{
+    super::keys::{TABLES, join},
+    Course, PLAIN, source,
+};
 
 fn message(text: &str, sets: &[&str]) -> String {
     let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
@@ -39,11 +42,11 @@ const BAD_LINES: &[(&str, &str, &str)] = &[
     ("duration_s = 10.0", "duration_s = 86401", "plain.toml:2: duration_s = 86401: must lie in 0.05..=86400"),
     ("duration_s = 10.0", "duration_s = 10.01", "plain.toml:2: duration_s = 10.01: must be a multiple"),
     ("uavs = 3", "uavs = 0", "plain.toml:9: chain.uavs = 0: must lie in 1..=1000"),
-    ("uavs = 3", "uavs = -3", "plain.toml:9: chain.uavs = -3: expected a whole number, not negative"),
+    ("uavs = 3", "uavs = -3", "plain.toml:9: chain.uavs = -3: expected a whole number, 1 to 1000"),
     (
         "base_m = [0.0, 0.0]",
         "base_m = [0.0]",
-        "plain.toml:10: chain.base_m = invalid length 1: expected two numbers [x, y]",
+        "plain.toml:10: chain.base_m = a list of 1: expected two numbers [x, y]",
     ),
     (
         "base_m = [0.0, 0.0]",
@@ -171,7 +174,7 @@ const BAD_LINES: &[(&str, &str, &str)] = &[
         "name = \"plain\"\npreset = \"cave-mod\"",
         "plain.toml:2: preset = \"cave-mod\": unknown choice; did you mean 'cavemod'? (known: cavemod, frontiers2021)",
     ),
-    ("name = \"plain\"", "name = \"plain\"\npreset = 5", "plain.toml:2: preset = 5: expected a string"),
+    ("name = \"plain\"", "name = \"plain\"\npreset = 5", "plain.toml:2: preset = 5: expected text in quotes"),
     ("name = \"plain\"", "name = \"../up\"", "plain.toml:1: name = \"../up\": must be 1 to 64 of"),
     ("width_m = 0.8", "width_m = 0.8.1", "plain.toml:6: not valid TOML: "),
     ("width_m = 0.8", "width_m = 0.8\nwidth_m = 0.9", "plain.toml:7: not valid TOML: duplicate key"),
@@ -215,6 +218,26 @@ fn a_bad_set_is_named_instead_of_a_line() {
         ("alpha_wal=4", "unknown key 'alpha_wal'; did you mean 'radio.alpha_wall'?"),
         ("chain.radius_m=1", "unknown key 'chain.radius_m'; did you mean 'motion.radius_m'? (known: uavs, "),
         ("speed_mps=1", "unknown key 'speed_mps'; did you mean 'pilot.0.speed_mps'?"),
+        ("map=5", "map = 5: expected one of the tables [map.corridor], [map.walls]"),
+        ("map=[1]", "map = a list of 1: expected one of the tables [map.corridor], [map.walls]"),
+        ("pilot=[1]", "--set pilot=[1]: pilot = 1: expected a table"),
+        ("pilot={a=1}", "pilot = a table: expected a list [ … ]"),
+        ("pilot=[{start_s=0,speed_mps=0,follow=5}]", "expected one of its words, in quotes"),
+        ("equalize.law=5", "equalize.law = 5: expected one of its words, in quotes"),
+        ("equalize.law=[1]", "equalize.law = a list of 1: expected one of its words, in quotes"),
+        ("tof.rays=5000000000", "tof.rays = 5000000000: expected a whole number, 1 to 64"),
+        ("chain.uavs=99999999999999999999", "expected a whole number, 1 to 1000"),
+        ("link.base_flow={a=1}", "link.base_flow = a table: expected true or false"),
+        ("name=[1]", "name = a list of 1: expected text in quotes"),
+        ("chain.base_m=[\"a\",1]", "chain.base_m = \"a\": expected a number"),
+        ("chain.spawns_m=[5]", "chain.spawns_m = 5: expected two numbers [x, y]"),
+        ("radio.sigma_db=1e400", "radio.sigma_db = 1e400: expected a number that is not as large"),
+        ("radio={", "--set radio={: not a value in TOML: {: "),
+        ("faults.dead=[{uav=1", "--set faults.dead=[{uav=1: not a value in TOML: [{uav=1: "),
+        (
+            "map.corridor.centre_line_m=[[0,0],[5,0],[2,0]]",
+            "corner 1 of the centre line, at (5, 0) m, goes back the way it came; turn by less than 180° there",
+        ),
         ("duration_s.x=0", "--set duration_s.x=0: duration_s is a single value"),
         ("duration_s", "--set duration_s: expected key=value"),
         ("=3", "--set =3: expected key=value"),
@@ -224,5 +247,45 @@ fn a_bad_set_is_named_instead_of_a_line() {
     for (set, wanted) in table {
         let got = message(PLAIN, &[set]);
         assert!(got.contains(wanted), "{set}\n  got    {got}\n  wanted {wanted}");
+    }
+}
+
+/// Whatever is of the wrong kind, no message speaks of the library that read it.
+#[test]
+fn no_message_shows_a_librarys_inside() {
+    const WORDS: [&str; 10] = [
+        "invalid type",
+        "invalid value",
+        "invalid length",
+        "wanted ",
+        "another value",
+        "struct ",
+        "sequence",
+        "usize",
+        "f32",
+        "inf m",
+    ];
+    let keys = TABLES.iter().flat_map(|(table, keys)| keys.iter().map(move |key| join(table, key.name)));
+    for key in keys.chain(TABLES.iter().map(|(table, _)| (*table).to_owned())).filter(|key| !key.is_empty()) {
+        for value in [
+            "5",
+            "-5",
+            "1e400",
+            "true",
+            "x",
+            "\"\"",
+            "[1]",
+            "[[]]",
+            "[{}]",
+            "{}",
+            "{a=1}",
+            "1979-05-27",
+            "[",
+            "99999999999999999999",
+        ] {
+            let said = message(PLAIN, &[&format!("{key}={value}")]);
+            let found = WORDS.iter().find(|word| said.contains(**word));
+            assert!(found.is_none(), "{key}={value}: {said}");
+        }
     }
 }

@@ -4,12 +4,13 @@ use std::io::Cursor;
 
 use image::{DynamicImage, ImageReader, Limits};
 
+use super::words;
 use crate::map::Unknown;
 
 /// Most cells along a side of the picture.
-const MOST_SIDE: u32 = 16_384;
+pub(super) const MOST_SIDE: u32 = 16_384;
 /// Most cells of the picture.
-const MOST_CELLS: u64 = 1 << 26;
+pub(super) const MOST_CELLS: u64 = 1 << 26;
 
 /// How a pixel's darkness is read.
 #[derive(Debug, Clone, Copy)]
@@ -56,11 +57,11 @@ impl Cells {
             reader.limits(limits.clone());
             Ok::<_, String>(reader)
         };
-        let (width, height) = reader()?.into_dimensions().map_err(|error| error.to_string())?;
+        let (width, height) = reader()?.into_dimensions().map_err(|error| words::picture(&error))?;
         if u64::from(width) * u64::from(height) > MOST_CELLS {
             return Err(format!("{width} × {height} cells: more than {MOST_CELLS}"));
         }
-        let picture = reader()?.decode().map_err(|error| error.to_string())?;
+        let picture = reader()?.decode().map_err(|error| words::picture(&error))?;
         let cols = picture.width() as usize;
         let opaque = levels.by_opacity.then(|| opaque(&picture)).flatten();
         let mut free: Vec<bool> = match picture {

@@ -7,6 +7,7 @@ mod ros;
 mod simplify;
 #[cfg(test)]
 mod tests;
+mod words;
 
 use std::{fs::File, io::Read as _, path::Path};
 

@@ -33,6 +33,9 @@ fn parse(bytes: &[u8]) -> Result<Cells, String> {
     let mut lines = bytes.split(|&byte| byte == b'\n').map(|line| line.strip_suffix(b"\r").unwrap_or(line));
     let mut head = |number: usize, expected: &str| {
         let line = lines.next().unwrap_or_default();
+        if line.is_empty() && lines.clone().all(<[u8]>::is_empty) {
+            return Err(format!("the file ends before its line {number}: expected {expected:?}"));
+        }
         let text = std::str::from_utf8(line).unwrap_or_default().trim();
         let value = text.strip_prefix(expected).map(str::trim);
         value.ok_or_else(|| format!("line {number}: {}: expected {expected:?}", shown(line)))
@@ -51,6 +54,9 @@ fn parse(bytes: &[u8]) -> Result<Cells, String> {
     let mut free = vec![false; rows * cols];
     for (row, cells) in free.rchunks_mut(cols).enumerate() {
         let (line, number) = (lines.next().unwrap_or_default(), row + 5);
+        if line.is_empty() && lines.clone().all(<[u8]>::is_empty) {
+            return Err(format!("the file ends after {row} rows: expected {rows}, the height in its line 2"));
+        }
         if line.len() != cols {
             return Err(format!("line {number}: {} cells: expected {cols}, the width", line.len()));
         }
@@ -100,12 +106,18 @@ mod tests {
     #[test]
     fn what_is_wrong_is_said_with_its_line() {
         let cases = [
-            ("", "line 1: \"\": expected \"type\""),
+            ("", "the file ends before its line 1: expected \"type\""),
+            ("type octile\n", "the file ends before its line 2: expected \"height\""),
+            ("\ntype octile\n", "line 1: \"\": expected \"type\""),
             ("type tile\n", "line 1: type \"tile\": expected \"octile\""),
             ("type octile\nheight 0\n", "line 2: height \"0\": expected 1 to 8192 cells"),
             ("type octile\nheight 2\nwidth x\n", "line 3: width \"x\""),
             ("type octile\nheight 2\nwidth 2\n..\n", "line 4: \"..\": expected \"map\""),
-            ("type octile\nheight 2\nwidth 2\nmap\n..\n", "line 6: 0 cells: expected 2"),
+            (
+                "type octile\nheight 2\nwidth 2\nmap\n..\n",
+                "the file ends after 1 rows: expected 2, the height in its line 2",
+            ),
+            ("type octile\nheight 2\nwidth 2\nmap\n\n..\n", "line 5: 0 cells: expected 2, the width"),
             ("type octile\nheight 1\nwidth 2\nmap\n.x\n", "line 5, cell 2: \"x\": expected"),
             ("type octile\nheight 1\nwidth 2\nmap\n..\n..\n", "\"..\" after the last of 1 rows"),
             ("type octile\nheight 1\nwidth 2\nmap\n@@\n", "it has no free cell"),

@@ -18,7 +18,7 @@ use serde::{Deserialize, de::IgnoredAny};
 
 use super::{
     cells::{Cells, Levels},
-    read, to_map,
+    read, to_map, words,
 };
 use crate::map::{Map, MapError, Unknown};
 
@@ -79,8 +79,10 @@ pub(super) struct Meta {
 impl Meta {
     pub(super) fn parse(file: &Path, bytes: &[u8]) -> Result<Self, MapError> {
         let unreadable = |why: String| MapError::Read { file: file.to_owned(), why };
-        let text = std::str::from_utf8(bytes).map_err(|error| unreadable(error.to_string()))?;
-        let values = serde_saphyr::from_str(text).map_err(|error| unreadable(error.to_string()))?;
+        let text = std::str::from_utf8(bytes).map_err(|error| {
+            unreadable(format!("no text from byte {} on; expected a map_server yaml", error.valid_up_to()))
+        })?;
+        let values = serde_saphyr::from_str(text).map_err(|error| unreadable(words::yaml(&error, text)))?;
         let keys = Keys { file, values };
         let image = match keys.get("image", "the path of a png or pgm picture")? {
             Value::Text(path) if !path.is_empty() => PathBuf::from(path),
@@ -102,7 +104,11 @@ impl Meta {
             _ => return Err(keys.wrong("negate", "0 or 1")),
         };
         let occupied = keys.number("occupied_thresh", 0.0, 1.0, "a share of darkness, 0 to 1")?;
-        let free = keys.number("free_thresh", 0.0, occupied, "a share of darkness, 0 to occupied_thresh")?;
+        let free = keys.number("free_thresh", 0.0, 1.0, "a share of darkness, 0 to 1")?;
+        if free > occupied {
+            let expected = format!("at most occupied_thresh, {occupied}; are the two exchanged?");
+            return Err(keys.wrong("free_thresh", &expected));
+        }
         let by_opacity = match keys.values.get("mode") {
             None => false,
             Some(Value::Text(mode)) if mode == "trinary" => false,
@@ -133,26 +139,20 @@ struct Keys<'a> {
 }
 
 impl Keys<'_> {
-    fn get(&self, key: &'static str, expected: &'static str) -> Result<&Value, MapError> {
+    fn get(&self, key: &'static str, expected: &str) -> Result<&Value, MapError> {
         self.values.get(key).ok_or_else(|| self.wrong(key, expected))
     }
 
-    fn number(
-        &self,
-        key: &'static str,
-        low: f64,
-        high: f64,
-        expected: &'static str,
-    ) -> Result<f64, MapError> {
+    fn number(&self, key: &'static str, low: f64, high: f64, expected: &str) -> Result<f64, MapError> {
         match self.get(key, expected)? {
             Value::Number(number) if (low..=high).contains(number) => Ok(*number),
             _ => Err(self.wrong(key, expected)),
         }
     }
 
-    fn wrong(&self, key: &'static str, expected: &'static str) -> MapError {
+    fn wrong(&self, key: &'static str, expected: &str) -> MapError {
         let got = self.values.get(key).map_or_else(|| "(absent)".to_owned(), ToString::to_string);
-        MapError::Key { file: self.file.to_owned(), key, got, expected }
+        MapError::Key { file: self.file.to_owned(), key, got, expected: expected.to_owned() }
     }
 }
 
@@ -164,6 +164,9 @@ enum Value {
     Number(f64),
     Text(String),
     List(Vec<f64>),
+    Nothing(()),
+    Mixed(Vec<IgnoredAny>),
+    Table(BTreeMap<String, IgnoredAny>),
     Other(IgnoredAny),
 }
 
@@ -174,7 +177,10 @@ impl fmt::Display for Value {
             Self::Number(number) => write!(f, "{number}"),
             Self::Text(text) => write!(f, "{text:?}"),
             Self::List(numbers) => write!(f, "{numbers:?}"),
-            Self::Other(_) => f.write_str("(something else)"),
+            Self::Nothing(()) => f.write_str("(empty)"),
+            Self::Mixed(items) => write!(f, "a list of {}, not all of them numbers", items.len()),
+            Self::Table(keys) => write!(f, "a table of {}", keys.len()),
+            Self::Other(_) => f.write_str("a value of another kind"),
         }
     }
 }

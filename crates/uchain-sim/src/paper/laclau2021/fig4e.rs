@@ -225,10 +225,8 @@ mod tests {
         let (early, late): (fn(f64) -> f64, fn(f64) -> f64) = (|i| 42.0 + 0.1 * i, |_| 48.0);
         let say = |t0: Vec<Flight>, k: Vec<Flight>| {
             let treated = vec![t0, runs(66.0, 0.4, late), k];
-            let of = |say: fn(std::iter::Once<(&'static str, &Treated)>) -> String| {
-                say(std::iter::once(("test", &treated)))
-            };
-            (of(early_relays), of(early_levels))
+            let readings = || std::iter::once(("test", &treated));
+            (early_relays(readings()), early_levels(readings()))
         };
         let (relays, levels) = say(runs(60.0, 0.4, early), runs(65.0, 0.5, late));
         assert!(relays.contains("There noise launches that relay of T0 early"), "{relays}");
