@@ -10,6 +10,10 @@ mod determinism;
 mod explore;
 /// Explorations end at home, with everything seen and nothing touched.
 mod exploring;
+/// Values at the ends of their ranges are flown like any other.
+mod extremes;
+/// What is said of files that are wrong.
+mod messages;
 /// The papers' figures and tables are what the report says.
 mod paper;
 /// What is recorded can be read again, and what is damaged cannot.
