@@ -30,8 +30,8 @@ const SLIPS: &[(&str, i32, &[&str])] = &[
     ("run corner.toml", 3, &["No such file", "hint: 'corner', without folder and .toml, is built in"]),
     ("run mien.toml", 3, &["No such file", "did you mean 'mine.toml'?"]),
     ("run ./map.yaml", 3, &["./map.yaml: origin = (absent): expected [x, y, yaw]"]),
-    ("run map.pgm", 3, &["map.pgm: image = map.pgm: No such file"]),
-    ("plan map.pgm --base=0,0 --goal=1,1", 3, &["map.pgm: image = map.pgm: No such file"]),
+    ("run map.pgm", 3, &["map.pgm: No such file"]),
+    ("plan map.pgm --base=0,0 --goal=1,1", 3, &["map.pgm: No such file"]),
     // Keys and values.
     (
         "run corner --set uavs=5",

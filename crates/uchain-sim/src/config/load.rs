@@ -83,7 +83,7 @@ pub(super) fn explain(error: &toml::de::Error, document: &Document<'_>) -> Confi
     if let Some(key) = message.strip_prefix("missing field `").and_then(|m| m.strip_suffix('`')) {
         return ConfigError::Missing { at, key: join(&path, key) };
     }
-    if message.starts_with("wanted exactly 1 element") {
+    if path == "map" && message.starts_with("wanted exactly 1 element") {
         if let Some((table, name)) = misplaced(&path, document) {
             let at = document.origin(&join(&path, name));
             let choices = Choices { nearest: Some(join(table, name)), known: Vec::new() };
@@ -184,7 +184,7 @@ fn plain_type(expected: &str, path: &str) -> String {
             );
         }
         "a string" => "text in quotes",
-        "wanted string or table" => "one of its words, in quotes",
+        other if other.starts_with("wanted ") => "one of its words, in quotes",
         other if other.contains("float") => "a number that is not as large",
         "a boolean" => "true or false",
         "a sequence" => "a list [ … ]",

@@ -125,7 +125,8 @@ fn corners_of(centre_line: &[Vertex], width_m: f64, closed: bool) -> Result<Vec<
     for leg in 0..legs {
         let length_m = corners[leg].leg_m;
         let next = (leg + 1) % count;
-        for corner in [leg, next].into_iter().filter(|&corner| !corners[corner].setback_m.is_finite()) {
+        let turns_back = |&corner: &usize| !corners[corner].setback_m.is_finite();
+        if let Some(corner) = [leg, next].into_iter().find(turns_back) {
             let DVec2 { x, y } = at(corner);
             return Err(MapError::TurnsBack { corner, x, y });
         }

@@ -225,6 +225,8 @@ fn a_bad_set_is_named_instead_of_a_line() {
         ("pilot=[{start_s=0,speed_mps=0,follow=5}]", "expected one of its words, in quotes"),
         ("equalize.law=5", "equalize.law = 5: expected one of its words, in quotes"),
         ("equalize.law=[1]", "equalize.law = a list of 1: expected one of its words, in quotes"),
+        ("equalize.law={}", "equalize.law = a table: expected one of its words, in quotes"),
+        ("equalize.law={a=1,b=2}", "equalize.law = a table: expected one of its words, in quotes"),
         ("tof.rays=5000000000", "tof.rays = 5000000000: expected a whole number, 1 to 64"),
         ("chain.uavs=99999999999999999999", "expected a whole number, 1 to 1000"),
         ("link.base_flow={a=1}", "link.base_flow = a table: expected true or false"),

@@ -166,7 +166,6 @@ enum Value {
     List(Vec<f64>),
     Nothing(()),
     Mixed(Vec<IgnoredAny>),
-    Table(BTreeMap<String, IgnoredAny>),
     Other(IgnoredAny),
 }
 
@@ -179,7 +178,6 @@ impl fmt::Display for Value {
             Self::List(numbers) => write!(f, "{numbers:?}"),
             Self::Nothing(()) => f.write_str("(empty)"),
             Self::Mixed(items) => write!(f, "a list of {}, not all of them numbers", items.len()),
-            Self::Table(keys) => write!(f, "a table of {}", keys.len()),
             Self::Other(_) => f.write_str("a value of another kind"),
         }
     }

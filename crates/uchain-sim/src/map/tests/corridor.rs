@@ -75,7 +75,7 @@ fn what_cannot_be_a_corridor_is_an_error_with_numbers() {
         MapError::LegTooShort { leg: 0, .. }
     ));
     let back = sharp(&[(0.0, 0.0), (10.0, 0.0), (0.0, 0.0)]);
-    assert!(matches!(error(&back, 1.0, false), MapError::LegTooShort { .. }));
+    assert!(matches!(error(&back, 1.0, false), MapError::TurnsBack { corner: 1, .. }));
     let stub = sharp(&[(0.0, 0.0), (10.0, 0.0), (10.0, 0.4)]);
     assert!(matches!(error(&stub, 1.0, false), MapError::LegTooShort { leg: 1, .. }));
     let wide = [bend(0.0, 0.0, 0.0), bend(10.0, 0.0, 6.0), bend(10.0, 5.0, 0.0)];

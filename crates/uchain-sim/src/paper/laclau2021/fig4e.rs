@@ -95,32 +95,32 @@ fn early_relays<'a>(readings: impl Iterator<Item = (&'static str, &'a Treated)>)
         let names = later.iter().filter(|(_, is_early)| *is_early == wanted).map(|(how, _)| *how);
         names.collect::<Vec<_>>().join(" and ")
     };
-    let mut text = format!("The second relay takes off, T0 against K, after {}.", launches.join("; "));
+    let mut text = vec![format!("The second relay takes off, T0 against K, after {}.", launches.join("; "))];
     match (names(true), names(false)) {
         (early, other) if early.is_empty() && other.is_empty() => {
-            text += " By no reading is K later than T0, run by run.";
+            text.push("By no reading is K later than T0, run by run.".to_owned());
         }
         (early, other) => {
             if !early.is_empty() {
-                text += &format!(
-                    " Run by run K is later than T0 by this reading: {early}. There noise launches that relay of T0 early, \
+                text.push(format!(
+                    "Run by run K is later than T0 by this reading: {early}. There noise launches that relay of T0 early, \
                      so that it has been under way for longer when the head stops."
-                );
+                ));
             }
             if !other.is_empty() {
-                text += &format!(
-                    " Run by run K is later than T0, without an earlier relay, by this reading: {other}."
-                );
+                text.push(format!(
+                    "Run by run K is later than T0, without an earlier relay, by this reading: {other}."
+                ));
             }
         }
     }
-    text
+    text.join(" ")
 }
 
 /// Runs that are level for a moment before the head stops, and what is left of K's delay without them.
 fn early_levels<'a>(readings: impl Iterator<Item = (&'static str, &'a Treated)>) -> String {
     let is_early = |run: &Flight| run.converged_s().is_some_and(|at_s| at_s < STOP_S);
-    let (mut counts, mut rest) = (Vec::new(), String::new());
+    let (mut counts, mut rest) = (Vec::new(), Vec::new());
     for (how, treated) in readings {
         let early = treated.iter().map(|runs| runs.iter().filter(|run| is_early(run)).count());
         let early: Vec<String> = early.map(|count| count.to_string()).collect();
@@ -130,13 +130,14 @@ fn early_levels<'a>(readings: impl Iterator<Item = (&'static str, &'a Treated)>)
         let left = pairs.iter().filter(|(t0, k)| !is_early(t0) && !is_early(k));
         let left: Vec<f64> = left.map(|(t0, k)| time_s(k) - time_s(t0)).collect();
         if left.len() < pairs.len() {
-            rest += &format!(" Without such pairs K is later by {} ({how}).", shown(&left, 1, " s"));
+            rest.push(format!(" Without such pairs K is later by {} ({how}).", shown(&left, 1, " s")));
         }
     }
     format!(
         "The first time counts, also where a chain is level for a moment before the head stops and parts again. Such runs of \
-         T0, T5 and K: {}.{rest}",
-        counts.join("; ")
+         T0, T5 and K: {}.{}",
+        counts.join("; "),
+        rest.concat()
     )
 }
 
@@ -222,7 +223,8 @@ mod tests {
             };
             (0..20).map(run).collect()
         };
-        let (early, late): (fn(f64) -> f64, fn(f64) -> f64) = (|i| 42.0 + 0.1 * i, |_| 48.0);
+        let early: fn(f64) -> f64 = |i| 42.0 + 0.1 * i;
+        let late: fn(f64) -> f64 = |_| 48.0;
         let say = |t0: Vec<Flight>, k: Vec<Flight>| {
             let treated = vec![t0, runs(66.0, 0.4, late), k];
             let readings = || std::iter::once(("test", &treated));

@@ -141,7 +141,7 @@ fn step_mm(sets: &[&str]) -> Result<f64, PaperError> {
     let read = Scenario::parse(&scenario("circuit-frontiers2021"), &sets).map_err(DesignError::from)?;
     let params = read.equalize;
     let speed_mps = equalize(S_MIN_DB as f32, S_MIN_DB as f32 - 1.0, &params);
-    Ok(1000.0 * f64::from(speed_mps * params.decision_s))
+    Ok(1000.0 * f64::from((speed_mps * params.decision_s).abs()))
 }
 
 fn verdicts(how: &str, relay: usize, treated: &Treated) -> Vec<Row> {
