@@ -173,6 +173,7 @@ fn a_number_that_is_none_is_noticed() {
         true_db: f32::NAN,
         filtered_db: None,
         raw_db: None,
+        silence: None,
     });
     let _ = Numbers.frame(&frame);
 }
