@@ -13,6 +13,9 @@ mod w1;
 
 use std::process::ExitCode;
 
+// What is measured is what flies: with the mathematics of the command line.
+use uchain_libm as _;
+
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).filter(|arg| arg != "--bench").collect();
     if args.first().is_some_and(|arg| arg == "count") {

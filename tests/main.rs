@@ -23,6 +23,8 @@ mod sweep;
 
 use std::path::PathBuf;
 
+// Digests are held against each other: this program brings its own mathematics.
+use uchain_libm as _;
 use uchain_sim::config::{Course, Scenario, Source, builtin};
 
 /// A compiled-in scenario with keys set.

@@ -2,8 +2,12 @@
 //!
 //! One tick is five words: sense, decide, act, advance, record; read [`sim`] first, a chain's, and [`explore`], an
 //! exploration's.
+//!
+//! The same scenario and seed give the same bits everywhere, but for what rapier and parry ask of the program's `exp`,
+//! `sin` and `log`. Linking this crate changes none of them; a program that wants equal bits brings its own with one
+//! line, `use uchain_libm as _;`. [`mathematics`] tells whether it did.
 
-// Brings the program its own exp, sin and log, for what rapier and parry ask of the system.
+#[cfg(test)]
 use uchain_libm as _;
 
 pub mod analyse;
@@ -12,6 +16,7 @@ pub mod config;
 pub mod draw;
 pub mod explore;
 pub mod map;
+pub mod mathematics;
 pub mod mission;
 #[cfg(feature = "paper")]
 pub mod paper;

@@ -52,6 +52,7 @@ impl<F: Clone> Recorder<F> for Last<F> {
 /// cannot fly.
 ///
 /// ```
+/// use uchain_libm as _; // the same bits on every system
 /// use uchain_sim::{config::{Course, builtin}, record::mcap::{McapRecorder, Recording}, replay, run::run};
 /// let course = Course::read(&builtin("corner").unwrap(), &["duration_s=2".to_owned()]).unwrap();
 /// let mut recorder = McapRecorder::start(Vec::new(), &course, 1).unwrap();
@@ -85,6 +86,7 @@ pub fn verify<R: Read>(recording: &mut Recording<R>) -> Result<Verdict, ReadErro
 /// Those of [`verify`].
 ///
 /// ```
+/// use uchain_libm as _; // the same bits on every system
 /// use uchain_sim::{config::{Site, builtin}, record::mcap::{ExploreRecorder, Recording}, replay, run::explore};
 /// let site = Site::read(&builtin("apartment").unwrap(), &["duration_s=20".to_owned()]).unwrap();
 /// let mut recorder = ExploreRecorder::start(Vec::new(), &site, 1).unwrap();

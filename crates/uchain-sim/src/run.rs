@@ -29,6 +29,7 @@ pub enum RunError {
 /// Only what the recorder returns.
 ///
 /// ```
+/// use uchain_libm as _; // the same bits on every system
 /// use uchain_sim::{config::{Course, Scenario, builtin}, run::run};
 /// let source = builtin("straight").unwrap();
 /// let scenario = Scenario::parse(&source, &["duration_s=5".into()]).unwrap();
@@ -54,6 +55,7 @@ pub fn run(course: &Course, seed: u64, recorder: &mut impl Recorder) -> Result<S
 /// Only what the recorder returns, for a site that was read.
 ///
 /// ```
+/// use uchain_libm as _; // the same bits on every system
 /// use uchain_sim::{config::{Site, builtin}, run::explore};
 /// let site = Site::read(&builtin("apartment").unwrap(), &["duration_s=20".into()]).unwrap();
 /// let (once, again) = (explore(&site, 1, &mut ()).unwrap().0, explore(&site, 1, &mut ()).unwrap().0);

@@ -32,6 +32,13 @@ pub(crate) fn imported(binary: &Path) -> Result<BTreeSet<String>> {
     Ok(names(&house::read(Command::new("nm").args(["-D", "--undefined-only"]).arg(binary))?))
 }
 
+/// Functions under the names of the system's mathematics that a program brings itself, for all its code and for
+/// whatever it loads.
+pub(crate) fn brought_maths(binary: &Path) -> Result<Vec<String>> {
+    let listing = house::read(Command::new("nm").args(["--extern-only", "--defined-only"]).arg(binary))?;
+    Ok(names(&listing).into_iter().filter(|name| is_maths(name)).collect())
+}
+
 /// The names in a listing of `nm`, without their `@GLIBC` versions.
 fn names(listing: &str) -> BTreeSet<String> {
     let name_of = |line: &str| {

@@ -1,9 +1,13 @@
-//! `digest SCENARIO SEED [KEY=VALUE]...`: flies a compiled-in scenario and prints the digest of the run.
+//! `digest SCENARIO SEED [KEY=VALUE]...`: flies a compiled-in scenario and prints the digest of the run; `digest libm`
+//! says whether it computes with the mathematics of `uchain_libm`.
 
 use std::{env, error::Error, process::ExitCode};
 
+// Brings the program its own exp, sin and log, for what rapier and parry ask of the system.
+use uchain_libm as _;
 use uchain_sim::{
     config::{Mission, Source},
+    mathematics,
     run::{explore, run},
 };
 
@@ -22,6 +26,9 @@ fn main() -> ExitCode {
 }
 
 fn digest(args: &[String]) -> Result<String, Box<dyn Error>> {
+    if args == ["libm"] {
+        return Ok(format!("libm: {}", mathematics::is_libm()));
+    }
     let [scenario, seed, sets @ ..] = args else {
         return Err("usage: digest SCENARIO SEED [KEY=VALUE]...".into());
     };

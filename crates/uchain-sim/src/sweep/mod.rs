@@ -64,6 +64,7 @@ impl Sweep {
     /// and only the first variant is looked at: see [`Sweep::check`].
     ///
     /// ```
+    /// use uchain_libm as _; // the same bits on every system
     /// use uchain_sim::{config::builtin, sweep::{Design, DesignText, Sweep, fly}};
     /// let vary = vec!["radio.sigma_db=0,4".to_owned()];
     /// let design = Design::parse(&DesignText { vary, table: None }, "").unwrap();

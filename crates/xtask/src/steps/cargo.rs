@@ -8,7 +8,7 @@ use crate::house::{House, run};
 pub(super) fn fmt(house: &House) -> Result<Outcome> {
     run(&mut house.cargo("fmt --all --check"))?;
     for proof in [NO_STD, LIBM_ONLY] {
-        run(&mut house.cargo_in(proof, "fmt --check"))?;
+        run(&mut house.cargo_in(proof, "fmt --all --check"))?;
     }
     Ok(Outcome::Passed)
 }

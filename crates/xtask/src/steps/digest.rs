@@ -26,7 +26,7 @@ const MISSIONS: [Mission; 5] = [
 const PLAIN_CPU: (&str, &str) = ("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-FMA,-AVX2");
 
 pub(super) fn agrees(house: &House) -> Result<Outcome> {
-    run(&mut house.cargo_in(LIBM_ONLY, "build --locked --release --features control"))?;
+    run(&mut house.cargo_in(LIBM_ONLY, "build --locked --release --workspace --features control"))?;
     run(&mut house.cargo_in(LIBM_ONLY, "build --locked --bin digest"))?;
     // Words of the step `test`: whole workspace, same features, so that nothing compiles a second time.
     run(&mut house.cargo("test --locked --profile checked --workspace --tests --no-run"))?;

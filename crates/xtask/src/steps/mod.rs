@@ -59,7 +59,7 @@ pub(crate) const STEPS: &[Step] = &[
     },
     Step {
         name: "libm",
-        about: "the simulation imports no mathematics from the system",
+        about: "programs import no mathematics from the system if they ask so, and keep theirs if not",
         run: libm::imports_nothing,
     },
     Step {

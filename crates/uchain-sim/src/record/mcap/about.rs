@@ -8,6 +8,7 @@ use twox_hash::XxHash64;
 use crate::{
     config::{ConfigError, Course, Site, Source},
     map::{FARTHEST_M, MOST_WALLS, Map, MapError},
+    mathematics,
 };
 
 /// Name of the metadata record.
@@ -16,6 +17,8 @@ pub(super) const METADATA: &str = "uchain";
 pub(super) const WALLS: &str = "walls.csv";
 /// What `format` says. Another number is another layout.
 const FORMAT: &str = "1";
+/// This version.
+pub(super) const OURS: &str = env!("CARGO_PKG_VERSION");
 /// Longest scenario with every value written out (bytes).
 const TEXT_MAX_BYTES: usize = 1 << 23;
 
@@ -30,12 +33,16 @@ pub struct About {
     pub version: String,
     /// Where the origin of the frame `map` lies in the frame of the map's file or scenario (m).
     pub map_offset_m: [f64; 2],
+    /// The mathematics of the program that flew it, as [`mathematics::fingerprint`] names it; older recordings do not
+    /// say.
+    pub mathematics: Option<String>,
 }
 
 impl About {
     pub(super) fn of(scenario: String, map: &Map, seed: u64) -> Self {
-        let version = env!("CARGO_PKG_VERSION").to_owned();
-        Self { scenario, seed, version, map_offset_m: map.offset_m() }
+        let version = OURS.to_owned();
+        let mathematics = Some(mathematics::fingerprint());
+        Self { scenario, seed, version, map_offset_m: map.offset_m(), mathematics }
     }
 
     /// The entries of the metadata record. No checksum of MCAP covers it in a file that was cut short, so it
@@ -50,6 +57,7 @@ impl About {
             ("map_offset_x_m".to_owned(), x_m.to_string()),
             ("map_offset_y_m".to_owned(), y_m.to_string()),
         ]);
+        entries.extend(self.mathematics.iter().map(|name| ("mathematics".to_owned(), name.clone())));
         entries.insert("checksum".to_owned(), checksum(&entries));
         entries
     }
@@ -78,7 +86,9 @@ impl About {
             value.ok_or_else(|| format!("{key} = {text:?}: expected a number"))
         };
         let map_offset_m = [metres("map_offset_x_m")?, metres("map_offset_y_m")?];
-        Ok(Self { scenario, seed, version: take("version")?, map_offset_m })
+        let version = take("version")?;
+        let mathematics = entries.remove("mathematics");
+        Ok(Self { scenario, seed, version, map_offset_m, mathematics })
     }
 
     fn source(&self, label: &str) -> Source {
@@ -112,7 +122,9 @@ impl About {
             }
             // A word with a space is no key of a scenario.
             values.insert(" seed".to_owned(), about.seed.to_string());
-            values.insert(" version".to_owned(), about.version.clone());
+            values.extend(about.mathematics.iter().map(|name| (" mathematics".to_owned(), name.clone())));
+            // The version comes first: it may be the reason for all that follows.
+            values.insert("  version".to_owned(), about.version.clone());
             values
         };
         let (here, there) = (values(self), values(other));

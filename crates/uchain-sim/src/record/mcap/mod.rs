@@ -4,7 +4,7 @@
 //!
 //! | where | what |
 //! |---|---|
-//! | metadata `uchain` | the whole scenario in TOML, seed, version, place of the map; see [`About`] |
+//! | metadata `uchain` | the whole scenario in TOML, seed, version, mathematics, place of the map; see [`About`] |
 //! | attachment `walls.csv` | the walls, corner by corner |
 //! | `/frame` | [`Frame`](crate::record::Frame), every bit, 20 per simulated second; `uchain.proto` |
 //! | `/metrics` | [`Moment`](crate::record::Moment), one per decision; `uchain.proto` |

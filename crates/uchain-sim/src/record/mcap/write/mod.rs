@@ -37,6 +37,7 @@ const SHOWN_TICKS: u64 = 2;
 /// Recording changes no bit of a run.
 ///
 /// ```
+/// use uchain_libm as _; // the same bits on every system
 /// use uchain_sim::{config::{Course, builtin}, record::mcap::{McapRecorder, Recording}, run::run};
 /// let course = Course::read(&builtin("corner").unwrap(), &["duration_s=2".to_owned()]).unwrap();
 /// let mut recorder = McapRecorder::start(Vec::new(), &course, 1).unwrap();

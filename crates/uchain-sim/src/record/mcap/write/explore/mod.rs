@@ -30,6 +30,7 @@ use scene::{Graph, Stars, Ways, robot_colour};
 /// Records every frame of an exploration in MCAP, as [`McapRecorder`](super::McapRecorder) does of a chain.
 ///
 /// ```
+/// use uchain_libm as _; // the same bits on every system
 /// use uchain_sim::{
 ///     config::{Site, builtin},
 ///     record::mcap::{ExploreRecorder, Recording},
