@@ -3,6 +3,10 @@
 /// Colour and other bytes for terminals.
 #[path = "cli/colour.rs"]
 mod colour;
+/// Every example that users are shown.
+#[cfg(unix)]
+#[path = "cli/examples.rs"]
+mod examples;
 /// Explorations.
 #[path = "cli/explore.rs"]
 mod explore;
@@ -24,6 +28,9 @@ mod plan;
 /// Recordings: `inspect`, `verify`, `diff`, and runs that do not end.
 #[path = "cli/record.rs"]
 mod record;
+/// Folders of results: whose they are, and that they tell of one run.
+#[path = "cli/results.rs"]
+mod results;
 /// The JSON Schema against a validator that is not ours.
 #[path = "cli/schema.rs"]
 mod schema;
@@ -42,6 +49,8 @@ use std::{
 
 use serde_json::Value;
 use tempfile::TempDir;
+// Some tests fly here what the command line flies: the bits have to be the same.
+use uchain_libm as _;
 
 /// A short flight.
 const SHORT: &str = "duration_s=5";

@@ -1,5 +1,6 @@
 use std::{fs, path::Path};
 
+use uchain_core::chain::Tof;
 use uchain_sim::{
     config::Course,
     draw,
@@ -81,6 +82,32 @@ fn a_file_that_ends_at_any_byte_is_read_up_to_its_last_whole_chunk() {
     assert_eq!(read(&file, &written, &truth).0.unwrap(), End::Whole);
 }
 
+#[test]
+fn a_file_that_ends_in_zeros_from_any_byte_on_is_read_up_to_its_last_whole_chunk() {
+    let course = course("straight", &["duration_s=2", "chain.uavs=1"]);
+    let (file, written) = recorded(&course);
+    let truth = Recording::read(file.as_slice(), "memory").unwrap();
+    let cut_at = |length: usize| read(&file[..length], &written, &truth).1;
+    for length in 0..=file.len() {
+        let mut zeroed = file.clone();
+        zeroed[length..].fill(0);
+        // As long as it was, one zero longer than what is left, and a block longer.
+        for zeros in [file.len() - length, 1, 4096] {
+            zeroed.resize(length + zeros, 0);
+            let (ended, frames) = read(&zeroed, &written, &truth);
+            let what = format!("{length} bytes and {zeros} zeros");
+            match ended {
+                // The last bytes of the file may be zeros anyway.
+                Ok(End::Whole) => assert!(zeroed.starts_with(&file), "{what}"),
+                Ok(End::CutShort) => assert!(frames >= cut_at(length), "{what}: {frames} frames"),
+                Err(ReadError::Empty { .. }) => assert_eq!(cut_at(length), 0, "{what}"),
+                Err(ReadError::NotMcap) if (1..8).contains(&length) => {}
+                Err(error) => panic!("{what}: {error}"),
+            }
+        }
+    }
+}
+
 /// Pseudo-random numbers below a bound, the same in every run of the test.
 struct Dice(u64);
 
@@ -111,6 +138,63 @@ fn no_flipped_bit_makes_another_frame() {
     }
     println!("{} bytes: {refused} flips refused, {cut_short} files taken as cut short", file.len());
     assert!(refused > 7000, "{refused}");
+}
+
+/// Changes what one beam of the head read at one tick.
+struct Beam(McapRecorder<Vec<u8>>, Change);
+
+/// What happens to a reading.
+type Change = fn(&mut Tof);
+
+impl Recorder for Beam {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        let mut frame = frame.clone();
+        if frame.tick >= 50 && frame.tick < 60 {
+            frame.uavs[0].tof.iter_mut().for_each(self.1);
+        }
+        self.0.frame(&frame)
+    }
+}
+
+fn open(file: &[u8]) -> Recording<&[u8]> {
+    Recording::read(file, "memory").unwrap()
+}
+
+#[test]
+fn one_ulp_of_any_of_the_four_beams_is_found_and_half_a_reading_is_refused() {
+    let course = course("corner", &["duration_s=5"]);
+    let ulps: [(&str, Change); 4] = [
+        ("tof.nw_m", |tof| tof.nw_m = tof.nw_m.next_up()),
+        ("tof.ne_m", |tof| tof.ne_m = tof.ne_m.next_up()),
+        ("tof.sw_m", |tof| tof.sw_m = tof.sw_m.next_up()),
+        ("tof.se_m", |tof| tof.se_m = tof.se_m.next_up()),
+    ];
+    let beams = |change| {
+        let mut beam = Beam(McapRecorder::start(Vec::new(), &course, 1).unwrap(), change);
+        run(&course, 1, &mut beam).unwrap();
+        beam.0.finish().unwrap()
+    };
+    let untouched = beams(|_| {});
+    assert!(replay::verify(&mut open(&untouched)).unwrap().agrees());
+    for (name, change) in ulps {
+        let file = beams(change);
+        let first = replay::verify(&mut open(&file)).unwrap().first.unwrap();
+        assert_eq!((first.field, first.tick / 10), (name, 5));
+        let compared = replay::diff(&mut open(&untouched).frames, &mut open(&file).frames).unwrap();
+        assert_eq!(compared.first.unwrap().field, name);
+        assert_eq!(compared.largest.keys().collect::<Vec<_>>(), [&name]);
+    }
+    let halves: [Change; 4] = [
+        |tof| tof.nw_m = f32::NAN,
+        |tof| tof.ne_m = f32::NAN,
+        |tof| tof.sw_m = f32::NAN,
+        |tof| (tof.nw_m, tof.ne_m, tof.sw_m) = (f32::NAN, f32::NAN, f32::NAN),
+    ];
+    for change in halves {
+        let file = beams(change);
+        let error = replay::verify(&mut open(&file)).unwrap_err().to_string();
+        assert!(error.contains("of UAV 0: expected four numbers, or none"), "{error}");
+    }
 }
 
 #[test]

@@ -1,13 +1,17 @@
 use std::{
+    collections::BTreeMap,
     fs,
-    path::Path,
+    hash::Hasher as _,
+    path::{Path, PathBuf},
     process::{Command, Stdio},
     time::Duration,
 };
 
 use serde_json::Value;
+use twox_hash::XxHash64;
 use uchain_sim::{
     config::{Course, builtin},
+    mathematics,
     record::{
         Frame, RecordError, Recorder,
         mcap::{End, McapRecorder, Recording},
@@ -15,7 +19,7 @@ use uchain_sim::{
     run::run,
 };
 
-use crate::{SHORT, command, files, folder, stderr, stdout, uchain};
+use crate::{SHORT, command, files, folder, shared_cases, stderr, stdout, uchain};
 
 #[test]
 fn inspect_finds_in_the_recording_what_the_run_came_to_and_draws_the_same_picture() {
@@ -120,7 +124,8 @@ fn what_is_no_recording_or_a_damaged_one_exits_with_3_and_says_where() {
         ("damaged.mcap", 3, "error: damaged.mcap: damaged at byte "),
         ("text.mcap", 3, "error: text.mcap: the file ends after 4 bytes"),
         ("long.mcap", 3, "error: long.mcap: not an MCAP file"),
-        ("absent.mcap", 1, "error: absent.mcap: cannot read: No such file"),
+        ("absent.mcap", 3, "error: absent.mcap: cannot read: No such file"),
+        (".", 3, "error: .: cannot read: Is a directory"),
     ] {
         for args in [&["inspect", name, "--out", "results"][..], &["verify", name], &["diff", name, name]] {
             let output = uchain(here.path(), args);
@@ -128,6 +133,186 @@ fn what_is_no_recording_or_a_damaged_one_exits_with_3_and_says_where() {
             assert!(stderr(&output).starts_with(words), "{args:?}: {}", stderr(&output));
             assert_eq!((stdout(&output), files(here.path())), ("", before.clone()), "{args:?}");
         }
+    }
+}
+
+#[test]
+fn whatever_is_missing_exits_with_3_whoever_is_asked_for_it() {
+    let here = folder();
+    for args in [
+        &["run", "absent.toml"][..],
+        &["run", "absent.map"],
+        &["check", "absent.toml"],
+        &["plan", "absent.toml"],
+        &["plan", "absent.yaml", "--base=0,0", "--goal=1,0"],
+        &["sweep", "absent.toml", "--out", "s"],
+        &["sweep", "corner", "--design", "absent.csv", "--out", "s"],
+        &["inspect", "absent.mcap"],
+        &["verify", "absent.mcap"],
+        &["diff", "absent.mcap", "absent.mcap"],
+        &["merge", "absent", "--out", "s"],
+        &["report", "absent"],
+        &["repro", "absent", "--run", "0"],
+        &["show", "absent"],
+    ] {
+        let output = uchain(here.path(), args);
+        assert_eq!(output.status.code(), Some(3), "{args:?}: {}", stderr(&output));
+        assert!(stderr(&output).contains("absent"), "{args:?}: {}", stderr(&output));
+        assert_eq!(files(here.path()), Vec::<PathBuf>::new(), "{args:?}");
+    }
+}
+
+/// Takes a text off a record's front.
+fn text(record: &mut &[u8]) -> String {
+    let (length, rest) = record.split_first_chunk::<4>().unwrap();
+    let (text, rest) = rest.split_at(u32::from_le_bytes(*length) as usize);
+    *record = rest;
+    String::from_utf8(text.to_vec()).unwrap()
+}
+
+/// The recording that another program would have left: one entry of its metadata is another one. Without an end, and
+/// so without a checksum of the whole.
+fn of_another_program(file: &[u8], key: &str, value: &str) -> Vec<u8> {
+    const METADATA: u8 = 0x0c;
+    const DATA_END: u8 = 0x0f;
+    let (magic, mut rest) = file.split_at(8);
+    let mut out = magic.to_vec();
+    while rest.first().is_some_and(|opcode| *opcode != DATA_END) {
+        let length = u64::from_le_bytes(rest[1..9].try_into().unwrap()) as usize;
+        let (record, behind) = rest.split_at(9 + length);
+        rest = behind;
+        if record[0] != METADATA {
+            out.extend(record);
+            continue;
+        }
+        let mut body = &record[9..];
+        let name = text(&mut body);
+        body = &body[4..];
+        let mut entries = BTreeMap::new();
+        while !body.is_empty() {
+            let key = text(&mut body);
+            entries.insert(key, text(&mut body));
+        }
+        entries.remove("checksum").unwrap();
+        entries.insert(key.to_owned(), value.to_owned());
+        let mut hash = XxHash64::with_seed(0);
+        for text in entries.iter().flat_map(|(key, value)| [key, value]) {
+            hash.write(&(text.len() as u64).to_le_bytes());
+            hash.write(text.as_bytes());
+        }
+        entries.insert("checksum".to_owned(), format!("{:016x}", hash.finish()));
+        let bytes = |text: &str| [&(text.len() as u32).to_le_bytes()[..], text.as_bytes()].concat();
+        let map: Vec<u8> =
+            entries.iter().flat_map(|(key, value)| [bytes(key), bytes(value)].concat()).collect();
+        let body = [bytes(&name), (map.len() as u32).to_le_bytes().to_vec(), map].concat();
+        out.push(METADATA);
+        out.extend((body.len() as u64).to_le_bytes());
+        out.extend(body);
+    }
+    out
+}
+
+#[test]
+fn another_versions_recording_is_named_as_such_before_anything_is_said_of_it() {
+    let here = folder();
+    let flown = uchain(here.path(), &["run", "corner", "--set", SHORT, "--quiet", "--out", "ours"]);
+    assert_eq!(flown.status.code(), Some(0), "{}", stderr(&flown));
+    let ours = fs::read(here.path().join("ours/run.mcap")).unwrap();
+    let scenario = Recording::read(ours.as_slice(), "memory").unwrap().about.scenario;
+    let write = |name: &str, file: Vec<u8>| fs::write(here.path().join(name), file).unwrap();
+    let older = of_another_program(&ours, "version", "0.0.9");
+    write("older.mcap", older.clone());
+    write(
+        "unknown.mcap",
+        of_another_program(&older, "scenario", &scenario.replace("k_db_per_m", "k_db_per_n")),
+    );
+    // What differs: the file holds another seed's flight.
+    write("differs.mcap", of_another_program(&older, "seed", "2"));
+    write("format.mcap", of_another_program(&older, "format", "2"));
+
+    let said = "recorded by uchain 0.0.9, flown by 0.1.0\n";
+    let same = uchain(here.path(), &["verify", "older.mcap"]);
+    assert_eq!((same.status.code(), stderr(&same)), (Some(0), ""));
+    assert_eq!(stdout(&same), format!("{said}all 100 ticks are the same, bit for bit\n"));
+    let differs = uchain(here.path(), &["verify", "differs.mcap"]);
+    assert_eq!(differs.status.code(), Some(4), "{}", stderr(&differs));
+    assert!(stdout(&differs).starts_with(&format!("{said}differs at tick ")), "{}", stdout(&differs));
+
+    let words = "unknown.mcap: recorded by uchain 0.0.9, this is 0.1.0: ";
+    for command in ["verify", "inspect"] {
+        let unknown = uchain(here.path(), &[command, "unknown.mcap", "--quiet"]);
+        assert_eq!(unknown.status.code(), Some(3), "{}", stderr(&unknown));
+        assert!(stderr(&unknown).starts_with(&format!("error: {words}")), "{}", stderr(&unknown));
+        assert!(stderr(&unknown).contains("k_db_per_n"), "{}", stderr(&unknown));
+        let format = uchain(here.path(), &[command, "format.mcap"]);
+        assert_eq!(format.status.code(), Some(3), "{}", stderr(&format));
+        assert!(
+            stderr(&format)
+                .contains("recorded by uchain 0.0.9, the metadata record \"uchain\": format = \"2\""),
+            "{}",
+            stderr(&format)
+        );
+    }
+    let differ = uchain(here.path(), &["diff", "ours/run.mcap", "differs.mcap"]);
+    assert!(stdout(&differ).starts_with("version: 0.1.0 and 0.0.9\nseed: 1 and 2\n"), "{}", stdout(&differ));
+}
+
+#[test]
+fn verify_names_foreign_mathematics_before_it_names_a_difference() {
+    let here = folder();
+    let flown = uchain(here.path(), &["run", "corner", "--set", SHORT, "--quiet", "--out", "ours"]);
+    assert_eq!(flown.status.code(), Some(0), "{}", stderr(&flown));
+    let ours = fs::read(here.path().join("ours/run.mcap")).unwrap();
+    let about = Recording::read(ours.as_slice(), "memory").unwrap().about;
+    assert_eq!(
+        about.mathematics,
+        Some(mathematics::fingerprint_of_libm()),
+        "the command line brings its own"
+    );
+    let foreign = of_another_program(&ours, "mathematics", "0123456789abcdef");
+    fs::write(here.path().join("differs.mcap"), of_another_program(&foreign, "seed", "2")).unwrap();
+    let differs = uchain(here.path(), &["verify", "differs.mcap"]);
+    assert_eq!(differs.status.code(), Some(4), "{}", stderr(&differs));
+    let lines: Vec<&str> = stdout(&differs).lines().collect();
+    assert!(
+        lines[0].starts_with("foreign mathematics: the program that recorded did not link "),
+        "{lines:?}"
+    );
+    assert!(lines[1].starts_with("differs at tick "), "{lines:?}");
+}
+
+#[test]
+fn a_file_that_ends_in_zeros_is_a_recording_that_was_cut_short() {
+    let here = folder();
+    let flown = uchain(here.path(), &["run", "corner", "--set", "duration_s=10", "--quiet", "--out", "ours"]);
+    assert_eq!(flown.status.code(), Some(0), "{}", stderr(&flown));
+    let mut file = fs::read(here.path().join("ours/run.mcap")).unwrap();
+    let length = file.len();
+    file[length * 3 / 4..].fill(0);
+    fs::write(here.path().join("zeros.mcap"), &file).unwrap();
+    let verified = uchain(here.path(), &["verify", "zeros.mcap"]);
+    assert_eq!(verified.status.code(), Some(0), "{}", stderr(&verified));
+    assert!(stdout(&verified).contains("the file is cut short"), "{}", stdout(&verified));
+    // The control: something stands behind the zeros.
+    file[length - 1] = 1;
+    fs::write(here.path().join("hole.mcap"), &file).unwrap();
+    let refused = uchain(here.path(), &["verify", "hole.mcap"]);
+    assert_eq!(refused.status.code(), Some(3));
+    assert!(stderr(&refused).starts_with("error: hole.mcap: damaged at byte "), "{}", stderr(&refused));
+}
+
+#[test]
+fn a_recording_of_others_is_no_damaged_one_of_ours() {
+    let Some(cases) = shared_cases() else { return };
+    let file = cases.join("mcap/f_nochunk.mcap");
+    for command in ["inspect", "verify"] {
+        let output = uchain(folder().path(), &[command, file.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
+        assert!(
+            stderr(&output).contains("f_nochunk.mcap: not a recording of uchain: "),
+            "{}",
+            stderr(&output)
+        );
     }
 }
 

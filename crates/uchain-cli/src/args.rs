@@ -10,7 +10,7 @@ use clap_complete::Shell;
 
 use crate::{
     exit::{self, Exit, Failure},
-    output::Folder,
+    output::{Folder, called},
     paper, print, recording, sweep, teach,
 };
 pub(crate) use plan::Plan;
@@ -103,7 +103,7 @@ pub(crate) enum Command {
 /// One flight.
 #[derive(Debug, Args)]
 #[command(after_help = text::RUN)]
-#[command(mut_arg("out", |out| out.help("Folder for the results [default: runs/<scenario>-s<seed>, overwritten]")))]
+#[command(mut_arg("out", |out| out.help("Folder for the results [default: runs/<scenario or file>-s<seed>, overwritten]")))]
 #[command(mut_arg("json", |json| json.help("Print the summary as JSON on stdout, and nothing else there")))]
 pub(crate) struct Run {
     /// Name of a built-in scenario, or path of a file (holds a / or ends in .toml); a bare map (.map, .yaml, .pgm) is explored
@@ -123,9 +123,9 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    /// Where the results of this scenario go.
-    pub(crate) fn folder(&self, scenario: &str) -> Result<Folder, Failure> {
-        self.out.folder(|| Folder::ours("runs", &format!("{scenario}-s{}", self.seed)))
+    /// Where the results go.
+    pub(crate) fn folder(&self) -> Result<Folder, Failure> {
+        self.out.folder(|| Folder::ours("runs", &called(&self.scenario), &format!("-s{}", self.seed)))
     }
 }
 
@@ -146,8 +146,8 @@ impl Out {
     }
 
     /// The folder asked for, else one of our own.
-    pub(crate) fn folder(&self, ours: impl FnOnce() -> Folder) -> Result<Folder, Failure> {
-        Ok(self.chosen()?.unwrap_or_else(ours))
+    pub(crate) fn folder(&self, ours: impl FnOnce() -> Result<Folder, Failure>) -> Result<Folder, Failure> {
+        self.chosen()?.map_or_else(ours, Ok)
     }
 }
 

@@ -13,11 +13,16 @@ use uchain_sim::{
     draw::DrawError,
     record::{
         RecordError,
-        mcap::{PlayError, ReadError},
+        mcap::{About, PlayError, ReadError},
     },
     run::RunError,
     sweep::{DesignError, folder::FolderError},
 };
+
+/// This version.
+pub(crate) const OURS: &str = env!("CARGO_PKG_VERSION");
+/// Longest version that is shown: it is read from a file.
+const VERSION_SHOWN: usize = 40;
 
 /// Exit codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,7 +42,7 @@ const TABLE: [(Exit, &str); 6] = [
     (Exit::Usage, "usage: wrong arguments, or an output folder that is not to be touched"),
     (
         Exit::InputInvalid,
-        "input invalid: scenario, map, recording, sweep or a name that nobody knows; nothing is written",
+        "input missing or invalid: scenario, map, recording, sweep or a name that nobody knows; nothing is written",
     ),
     (Exit::Differ, "verify, diff, repro: the flights differ"),
     (
@@ -75,6 +80,10 @@ pub(crate) enum Failure {
     BareMap { map: String, missing: &'static str },
     #[error("{} holds something else ({found}); name another folder, or add --force to write there all the same", folder.display())]
     Occupied { folder: PathBuf, found: String },
+    #[error("{} holds another run ({found}); name another folder with --out", folder.display())]
+    OtherRun { folder: PathBuf, found: &'static str },
+    #[error("{}: another uchain writes there; wait for it, or name another folder with --out", folder.display())]
+    Busy { folder: PathBuf },
     #[error("{}: cannot write results there: {cause}", folder.display())]
     Folder { folder: PathBuf, cause: io::Error },
     #[error("{}: cannot write: {cause}", file.display())]
@@ -93,6 +102,8 @@ pub(crate) enum Failure {
     Tape { file: PathBuf, cause: RecordError },
     #[error("{}: {cause}", file.display())]
     Recording { file: PathBuf, cause: ReadError },
+    #[error("{}: recorded by uchain {theirs}, this is {OURS}: {cause}", file.display())]
+    OtherVersion { file: PathBuf, theirs: String, cause: ReadError },
     #[error("interrupted; no summary and no picture were written")]
     Interrupted,
     #[error("the flights differ")]
@@ -131,12 +142,14 @@ impl From<FolderError> for Failure {
 /// How a command ends that went wrong with a sweep's folder.
 fn sweep_exit(error: &FolderError) -> Exit {
     match error {
-        FolderError::Io { .. } | FolderError::Pool(_) => Exit::RunFailed,
+        FolderError::Io { doing, .. } if *doing != "read" => Exit::RunFailed,
+        FolderError::Pool(_) => Exit::RunFailed,
         FolderError::Exists { .. }
         | FolderError::Another { .. }
         | FolderError::Occupied { .. }
         | FolderError::Busy { .. } => Exit::Usage,
-        FolderError::NoSweep { .. }
+        FolderError::Io { .. }
+        | FolderError::NoSweep { .. }
         | FolderError::Damaged { .. }
         | FolderError::Contradiction { .. }
         | FolderError::Missing { .. }
@@ -148,22 +161,37 @@ fn sweep_exit(error: &FolderError) -> Exit {
 }
 
 impl Failure {
+    /// Of a recording that cannot be flown, or not be read further; another version may be the reason.
+    pub(crate) fn refused(file: &Path, about: &About, cause: ReadError) -> Self {
+        let (file, theirs) = (file.to_owned(), &about.version);
+        if theirs == OURS {
+            Self::Recording { file, cause }
+        } else {
+            Self::OtherVersion { file, theirs: theirs.chars().take(VERSION_SHOWN).collect(), cause }
+        }
+    }
+
     /// Of a recording that was played.
-    pub(crate) fn played(file: &Path, cause: PlayError) -> Self {
-        let file = file.to_owned();
+    pub(crate) fn played(file: &Path, about: &About, cause: PlayError) -> Self {
         match cause {
-            PlayError::Read(cause) => Self::Recording { file, cause },
+            PlayError::Read(cause) => Self::refused(file, about, cause),
             PlayError::Record(cause) => Self::Run(cause.into()),
         }
     }
 
     pub(crate) fn exit(&self) -> Exit {
         match self {
-            Self::Recording { cause: ReadError::Io(_), .. } => Exit::RunFailed,
-            Self::Input(_) | Self::Plan(_) | Self::Map(_) | Self::Recording { .. } | Self::Design(_) => {
-                Exit::InputInvalid
-            }
-            Self::BareMap { .. } | Self::Occupied { .. } | Self::Folder { .. } => Exit::Usage,
+            Self::Input(_)
+            | Self::Plan(_)
+            | Self::Map(_)
+            | Self::Recording { .. }
+            | Self::OtherVersion { .. }
+            | Self::Design(_) => Exit::InputInvalid,
+            Self::BareMap { .. }
+            | Self::Occupied { .. }
+            | Self::OtherRun { .. }
+            | Self::Busy { .. }
+            | Self::Folder { .. } => Exit::Usage,
             Self::Interrupted
             | Self::Incomplete(FolderError::Interrupted)
             | Self::Run(RunError::Record(RecordError::Interrupted { .. }))

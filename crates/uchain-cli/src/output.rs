@@ -1,4 +1,7 @@
-//! Where results go, and how they get there whole or not at all.
+//! Where results go, and how they get there whole or not at all: one uchain at a time writes into a folder, and what is
+//! in it is about one run.
+
+mod called;
 
 use std::{
     fs,
@@ -7,9 +10,14 @@ use std::{
 };
 
 use tempfile::NamedTempFile;
-use uchain_sim::record::RecordError;
+use uchain_sim::{
+    record::RecordError,
+    sweep::folder::{LOCK, Lock, LockError},
+};
 
 use crate::exit::Failure;
+
+pub(crate) use called::called;
 
 /// What a command leaves in its folder.
 #[derive(Debug)]
@@ -22,7 +30,14 @@ pub(crate) struct Names {
     pub(crate) recording: Option<&'static str>,
     /// What there is besides.
     pub(crate) others: &'static [&'static str],
+    /// What goes before these come, since it is about another run; the numbers first: without them a folder claims
+    /// nothing.
+    pub(crate) replaces: &'static [&'static str],
 }
+
+/// Everything that tells of a run. The recording goes last: alone it is as whole as before.
+const OF_A_RUN: &[&str] =
+    &["summary.json", "inspect.json", "run.png", "map.yaml", "map.pgm", "states.png", "run.mcap"];
 
 impl Names {
     fn hold(&self, name: &str) -> bool {
@@ -34,40 +49,88 @@ impl Names {
 }
 
 /// What `uchain run` leaves of a chain.
-pub(crate) const RUN: Names =
-    Names { numbers: "summary.json", picture: "run.png", recording: Some("run.mcap"), others: &[] };
+pub(crate) const RUN: Names = Names {
+    numbers: "summary.json",
+    picture: "run.png",
+    recording: Some("run.mcap"),
+    others: &[],
+    replaces: OF_A_RUN,
+};
 /// What `uchain run` leaves of an exploration: besides, the explored map as a ROS map, and where robots were over time.
 pub(crate) const EXPLORE: Names = Names { others: &["map.pgm", "map.yaml", "states.png"], ..RUN };
 /// What `uchain plan` leaves.
-pub(crate) const PLAN: Names =
-    Names { numbers: "plan.json", picture: "plan.png", recording: None, others: &[] };
+pub(crate) const PLAN: Names = Names {
+    numbers: "plan.json",
+    picture: "plan.png",
+    recording: None,
+    others: &[],
+    replaces: &["plan.json", "plan.png"],
+};
 /// What `uchain inspect --out` leaves.
-pub(crate) const INSPECT: Names = Names { numbers: "inspect.json", recording: None, ..RUN };
+pub(crate) const INSPECT: Names =
+    Names { numbers: "inspect.json", recording: None, replaces: &["inspect.json", "run.png"], ..RUN };
 
 const ALL: [&Names; 4] = [&RUN, &EXPLORE, &PLAN, &INSPECT];
 
 /// How names of files start that are not finished yet.
 const UNFINISHED: &str = ".uchain-";
 
-/// A folder that may be written to.
+/// A folder that may be written to, by nobody else meanwhile.
 #[derive(Debug)]
 pub(crate) struct Folder {
     path: PathBuf,
+    // Given back before folders go.
+    _lock: Lock,
+    _made: Made,
+}
+
+/// Folders that were not there before, the innermost first. They go again if nothing came into them.
+#[derive(Debug)]
+struct Made(Vec<PathBuf>);
+
+impl Drop for Made {
+    fn drop(&mut self) {
+        let is_lock = |entry: io::Result<fs::DirEntry>| entry.is_ok_and(|entry| entry.file_name() == LOCK);
+        if let Some(innermost) = self.0.first()
+            && fs::read_dir(innermost).is_ok_and(|mut entries| entries.all(is_lock))
+        {
+            let _ = fs::remove_file(innermost.join(LOCK));
+        }
+        for folder in &self.0 {
+            // Goes only if it is empty, and then it is ours.
+            let _ = fs::remove_dir(folder);
+        }
+    }
 }
 
 impl Folder {
     /// A folder under `runs` or `plans` in the working folder; it is ours.
-    pub(crate) fn ours(above: &str, name: &str) -> Self {
-        Self { path: Path::new(above).join(name) }
+    pub(crate) fn ours(above: &str, name: &str, ending: &str) -> Result<Self, Failure> {
+        let above = Path::new(above);
+        Self::enter(above.join(called::beside_others(above, name, ending)))
+    }
+
+    fn enter(path: PathBuf) -> Result<Self, Failure> {
+        let is_new = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.exists();
+        let made = Made(path.ancestors().take_while(is_new).map(Path::to_owned).collect());
+        let failed = |cause| Failure::Write { file: path.clone(), cause };
+        fs::create_dir_all(&path).map_err(failed)?;
+        let folder = match Lock::take(&path) {
+            Ok(lock) => Self { path, _lock: lock, _made: made },
+            Err(LockError::Busy) => return Err(Failure::Busy { folder: path }),
+            Err(LockError::Io(cause)) => return Err(failed(cause)),
+        };
+        // Nobody is at work on them: who was has been killed.
+        folder.clear_all(&[], |name| name.starts_with(UNFINISHED) && name != LOCK)?;
+        Ok(folder)
     }
 
     /// A folder of the user's choice: absent, empty, or with nothing but results in it, unless forced.
     pub(crate) fn chosen(path: &Path, force: bool) -> Result<Self, Failure> {
-        let folder = Self { path: path.to_owned() };
         let refuse = |cause| Failure::Folder { folder: path.to_owned(), cause };
         let entries = match fs::read_dir(path) {
             Ok(entries) => entries,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(folder),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Self::enter(path.to_owned()),
             Err(error) => return Err(refuse(error)),
         };
         for entry in entries {
@@ -80,7 +143,20 @@ impl Folder {
                 return Err(Failure::Occupied { folder: path.to_owned(), found: name.into_owned() });
             }
         }
-        Ok(folder)
+        Self::enter(path.to_owned())
+    }
+
+    /// Refuses a folder that holds another run than this recording's: its picture would stand beside that run's numbers.
+    pub(crate) fn only_of(self, recording: &Path) -> Result<Self, Failure> {
+        let own = RUN.recording.map(|name| self.path.join(name)).and_then(|own| fs::canonicalize(own).ok());
+        if own.is_some() && own == fs::canonicalize(recording).ok() {
+            return Ok(self);
+        }
+        let mut telling = [RUN.numbers].into_iter().chain(RUN.recording);
+        match telling.find(|name| self.path.join(name).exists()) {
+            Some(found) => Err(Failure::OtherRun { folder: self.path.clone(), found }),
+            None => Ok(self),
+        }
     }
 
     /// Begins the file of a recording: its first words are written before it has its name. From then on the folder is
@@ -91,31 +167,36 @@ impl Folder {
         start: impl FnOnce(fs::File) -> Result<T, RecordError>,
     ) -> Result<(T, PathBuf), Failure> {
         let file = self.path.join(name);
-        let started = self.or_not_at_all(|| {
-            let failed = |cause| Failure::Write { file: file.clone(), cause };
-            let (unfinished, path) = unfinished_file(&self.path).map_err(failed)?.into_parts();
-            let started = start(unfinished).map_err(|cause| Failure::Tape { file: file.clone(), cause })?;
-            path.persist(&file).map_err(|error| failed(error.error))?;
-            Ok(started)
-        })?;
-        for name in [RUN.numbers, RUN.picture].iter().chain(EXPLORE.others) {
-            // Mostly there is none.
-            let _ = fs::remove_file(self.path.join(name));
-        }
+        let failed = |cause| Failure::Write { file: file.clone(), cause };
+        let (unfinished, path) = unfinished_file(&self.path).map_err(failed)?.into_parts();
+        let started = start(unfinished).map_err(|cause| Failure::Tape { file: file.clone(), cause })?;
+        // An older recording stays until the new one takes its name.
+        self.clear(OF_A_RUN.iter().filter(|older| **older != name).copied())?;
+        path.persist(&file).map_err(|error| failed(error.error))?;
         Ok((started, file))
     }
 
-    /// Writes into the folder. One that was not there before stays only if that went well.
-    fn or_not_at_all<T>(&self, write: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
-        let is_new = !self.path.exists();
-        let written = fs::create_dir_all(&self.path)
-            .map_err(|cause| Failure::Write { file: self.path.clone(), cause })
-            .and_then(|()| write());
-        if written.is_err() && is_new {
-            // Goes only if it is empty, and then it is ours.
-            let _ = fs::remove_dir(&self.path);
+    /// Removes what tells of another run, in this order.
+    fn clear(&self, names: impl IntoIterator<Item = impl AsRef<Path>>) -> Result<(), Failure> {
+        for name in names {
+            let file = self.path.join(name);
+            match fs::remove_file(&file) {
+                Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+                // A folder under one of our names is nobody's result; who wants to write there will say so.
+                Err(_) if file.is_dir() => {}
+                Err(cause) => return Err(Failure::Write { file, cause }),
+                Ok(()) => {}
+            }
         }
-        written
+        Ok(())
+    }
+
+    /// Removes all files that an older call of the same command left: first those that claim something.
+    pub(crate) fn clear_all(&self, first: &[&str], is_ours: impl Fn(&str) -> bool) -> Result<(), Failure> {
+        self.clear(first)?;
+        let entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
+        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+        self.clear(names.filter(|name| is_ours(name)).collect::<Vec<_>>())
     }
 
     /// Where the files are, for people.
@@ -128,7 +209,7 @@ impl Folder {
     }
 
     /// Writes the picture, the other files and the numbers. All are complete under other names before any shows under
-    /// its own.
+    /// its own, and what is about another run goes in between.
     pub(crate) fn write(
         &self,
         names: &Names,
@@ -138,18 +219,15 @@ impl Folder {
     ) -> Result<(), Failure> {
         let others = names.others.iter().copied().zip(others.iter().copied());
         let files = [(names.picture, picture)].into_iter().chain(others).chain([(names.numbers, numbers)]);
-        self.or_not_at_all(|| {
-            let ready = files.map(|(name, bytes)| self.prepare(name, bytes).map(|file| (name, file)));
-            let ready: Vec<(&str, NamedTempFile)> = ready.collect::<Result<_, _>>()?;
-            ready.into_iter().try_for_each(|(name, file)| self.show(name, file))
-        })
+        let ready = files.map(|(name, bytes)| self.prepare(name, bytes).map(|file| (name, file)));
+        let ready: Vec<(&str, NamedTempFile)> = ready.collect::<Result<_, _>>()?;
+        self.clear(names.replaces.iter().filter(|name| names.recording != Some(**name)))?;
+        ready.into_iter().try_for_each(|(name, file)| self.show(name, file))
     }
 
     /// Writes files of any names, each whole or not at all.
     pub(crate) fn write_each(&self, files: &[(String, &[u8])]) -> Result<(), Failure> {
-        self.or_not_at_all(|| {
-            files.iter().try_for_each(|(name, bytes)| self.show(name, self.prepare(name, bytes)?))
-        })
+        files.iter().try_for_each(|(name, bytes)| self.show(name, self.prepare(name, bytes)?))
     }
 
     /// Where it is, for people.
@@ -180,13 +258,13 @@ impl Folder {
 
 /// Readable as the user's umask says: results are not secret, as temporary files otherwise are.
 #[cfg(unix)]
-fn unfinished_file(folder: &Path) -> io::Result<NamedTempFile> {
+pub(crate) fn unfinished_file(folder: &Path) -> io::Result<NamedTempFile> {
     use std::os::unix::fs::PermissionsExt as _;
     let permissions = fs::Permissions::from_mode(0o666);
     tempfile::Builder::new().prefix(UNFINISHED).permissions(permissions).tempfile_in(folder)
 }
 
 #[cfg(not(unix))]
-fn unfinished_file(folder: &Path) -> io::Result<NamedTempFile> {
+pub(crate) fn unfinished_file(folder: &Path) -> io::Result<NamedTempFile> {
     tempfile::Builder::new().prefix(UNFINISHED).tempfile_in(folder)
 }

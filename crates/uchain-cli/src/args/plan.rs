@@ -12,7 +12,7 @@ const GOAL: &str = "The deepest place the head may be sent to (short for --set '
 /// One plan.
 #[derive(Debug, Args)]
 #[command(after_help = text::PLAN)]
-#[command(mut_arg("out", |out| out.help("Folder for the results [default: plans/<name>, overwritten]")))]
+#[command(mut_arg("out", |out| out.help("Folder for the results [default: plans/<scenario or file>, overwritten]")))]
 #[command(mut_arg("json", |json| json.help("Print the whole plan as JSON on stdout, and nothing else there")))]
 pub(crate) struct Plan {
     /// Name of a built-in scenario, path of a scenario file, or of a ROS map (ends in .yaml)

@@ -20,7 +20,8 @@ Examples:
 
 Results:
   stdout holds what was asked for, stderr progress and errors. Files go into runs/<scenario>-s<seed>
-  and plans/<name> below the folder you are in, or into --out. Progress shows on a terminal only.
+  and plans/<scenario> below the folder you are in, or into --out; a file mine.toml goes by its own name, into
+  runs/mine-s<seed>. A folder tells of one run: what was there goes. Progress shows on a terminal only.
 
 Environment:
   NO_COLOR=1, CLICOLOR=0   no colour in help and usage errors; there is none anyway but on a terminal
@@ -44,7 +45,7 @@ Of an exploration there is map.yaml with map.pgm besides: what was seen, as a RO
 pub(super) const PLAN: &str = "\
 Examples:
   uchain plan corner
-  uchain plan ./mine.toml --to 40 --uavs 6 --set takeoff.s_min_db=65
+  uchain plan ./mine.toml --to 12 --uavs 6 --set takeoff.s_min_db=65
   uchain plan basement.yaml --base=-50.15,34.03 --goal=-3,25.7 --speed 0.1
 
 A bare ROS map (map_server's yaml) needs --base and --goal, in the map's own frame; everything else

@@ -24,13 +24,9 @@ use crate::{
 pub(crate) fn fly(asked: &Run) -> Result<(), Failure> {
     let source = Source::find(&asked.scenario)?;
     let mission = Mission::read(&source, &asked.sets.set)?;
-    let name = match &mission {
-        Mission::Chain(course) => &course.scenario.name,
-        Mission::Explore(site) => &site.scenario.name,
-    };
     let flight = Flight {
         seed: asked.seed,
-        folder: asked.folder(name)?,
+        folder: asked.folder()?,
         is_recorded: asked.recording.wanted(),
         say: &asked.say,
     };

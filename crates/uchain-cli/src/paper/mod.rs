@@ -75,11 +75,15 @@ pub(crate) fn leaves(name: &str) -> bool {
 
 #[expect(clippy::disallowed_methods, reason = "progress tells how long this computer took")]
 pub(crate) fn redraw(asked: &Paper) -> Result<(), Failure> {
-    let folder = asked.out.folder(|| Folder::ours("", "paper"))?;
+    let folder = asked.out.folder(|| Folder::ours("", "paper", ""))?;
     let (flights, mut done, begin) = (Flights::default(), Vec::new(), Instant::now());
     for item in asked.asked() {
         let start = Instant::now();
         let outcome = item.regenerate(&flights)?;
+        if done.is_empty() {
+            // The report is about what is drawn now; pictures it does not name would be somebody else's.
+            folder.clear_all(&[REPORT, VERDICTS], leaves)?;
+        }
         write(&folder, &outcome)?;
         asked.quiet.progress(&format!("{}: {:.1} s", item.id, start.elapsed().as_secs_f64()));
         done.push((*item, outcome));

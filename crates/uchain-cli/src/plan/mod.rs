@@ -18,8 +18,7 @@ use table::{Steps, Table};
 pub(crate) fn reckon(asked: &args::Plan) -> Result<(), Failure> {
     let spinner = spinner(asked.say.progress());
     let (course, uavs) = bare::course(asked)?;
-    let name = &course.scenario.name;
-    let folder = asked.out.folder(|| Folder::ours("plans", name))?;
+    let folder = asked.out.folder(|| Folder::ours("plans", &output::called(&asked.what), ""))?;
     let to_m = asked.to.or_else(|| course.tunnel.as_ref().map(Tunnel::length_m));
     let steps = Steps::new(to_m.unwrap_or(1.0), asked.step);
     let plan = plan(&course, asked.to, steps.plan_m, uavs)?;

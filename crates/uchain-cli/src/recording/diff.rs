@@ -31,8 +31,8 @@ fn compare<R: Read, F: Recordable>(
     mut there: Recording<R, F>,
 ) -> Result<(), Failure> {
     let comparison = replay::diff(&mut here.frames, &mut there.frames).map_err(|error| match error {
-        replay::DiffError::Here(cause) => Failure::Recording { file: asked.here.clone(), cause },
-        replay::DiffError::There(cause) => Failure::Recording { file: asked.there.clone(), cause },
+        replay::DiffError::Here(cause) => Failure::refused(&asked.here, &here.about, cause),
+        replay::DiffError::There(cause) => Failure::refused(&asked.there, &there.about, cause),
     })?;
 
     let mut text = String::new();

@@ -17,6 +17,7 @@ use uchain_sim::record::mcap::AnyRecording;
 use crate::{
     args::{Out, Quiet, Say},
     exit::Failure,
+    output::Folder,
 };
 
 pub(crate) use diff::diff;
@@ -81,6 +82,13 @@ pub(crate) struct Inspect {
     out: Out,
     #[command(flatten)]
     say: Say,
+}
+
+impl Inspect {
+    /// Where picture and numbers go, if anywhere.
+    fn folder(&self) -> Result<Option<Folder>, Failure> {
+        self.out.chosen()?.map(|folder| folder.only_of(&self.file)).transpose()
+    }
 }
 
 /// A recording flown again.

@@ -1,33 +1,31 @@
 //! `uchain verify`: fly a recording again.
 
 use uchain_sim::{
-    record::mcap::{AnyRecording, End},
+    mathematics::Foreign,
+    record::mcap::{About, AnyRecording, End},
     replay,
 };
 
 use super::{Verify, open};
-use crate::exit::Failure;
-
-/// This version.
-const OURS: &str = env!("CARGO_PKG_VERSION");
+use crate::exit::{Failure, OURS};
 
 pub(crate) fn verify(asked: &Verify) -> Result<(), Failure> {
-    let (verdict, about) = match open(&asked.file)? {
-        AnyRecording::Chain(mut recording) => (replay::verify(&mut recording), recording.about),
-        AnyRecording::Explore(mut recording) => (replay::verify_exploration(&mut recording), recording.about),
+    let mut recording = open(&asked.file)?;
+    let about = match &recording {
+        AnyRecording::Chain(recording) => recording.about.clone(),
+        AnyRecording::Explore(recording) => recording.about.clone(),
     };
-    let verdict = verdict.map_err(|cause| Failure::Recording { file: asked.file.clone(), cause })?;
+    // Reasons come first, whatever is found.
+    asked.quiet.report(|| reasons(&about))?;
+    let verdict = match &mut recording {
+        AnyRecording::Chain(recording) => replay::verify(recording),
+        AnyRecording::Explore(recording) => replay::verify_exploration(recording),
+    };
+    let verdict = verdict.map_err(|cause| Failure::refused(&asked.file, &about, cause))?;
 
-    let theirs = &about.version;
-    let versions = if theirs == OURS {
-        String::new()
-    } else {
-        format!("recorded by uchain {theirs}, flown by {OURS}\n")
-    };
     if let Some(first) = verdict.first {
         let (place, here, there) = (first.place(), first.here, first.there);
-        let said = format!("{versions}differs at {place}: {here} recorded, {there} flown\n");
-        asked.quiet.report(|| said)?;
+        asked.quiet.report(|| format!("differs at {place}: {here} recorded, {there} flown\n"))?;
         return Err(Failure::Differ);
     }
     let (ticks, of) = (verdict.ticks, verdict.of);
@@ -38,5 +36,13 @@ pub(crate) fn verify(asked: &Verify) -> Result<(), Failure> {
             "the same, bit for bit, for the {ticks} ticks of {of} that were recorded; the file is cut short"
         ),
     };
-    asked.quiet.report(|| format!("{versions}{said}\n"))
+    asked.quiet.report(|| format!("{said}\n"))
+}
+
+/// Why bits may differ without anybody's fault, a line each.
+fn reasons(about: &About) -> String {
+    let version = Some(&about.version).filter(|theirs| *theirs != OURS);
+    let version = version.map(|theirs| format!("recorded by uchain {theirs}, flown by {OURS}\n"));
+    let mathematics = Foreign::of(about.mathematics.as_deref()).map(|foreign| format!("{foreign}\n"));
+    version.into_iter().chain(mathematics).collect()
 }

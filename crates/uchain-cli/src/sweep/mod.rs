@@ -20,7 +20,7 @@ pub(crate) use report::report;
 pub(crate) use repro::repro;
 
 const VARY: &str = "Fly every value of a key: radio.sigma_db=1,3,5, or a range with both ends, \
-                    chain.tolerance_db=0..5/6 (repeatable: every combination)";
+                    equalize.tolerance_db=0..5/6 (repeatable: every combination)";
 const DESIGN: &str = "Fly the rows of a table, a variant each; its first line holds keys, an empty cell leaves the scenario's value";
 
 const SWEEP_EXAMPLES: &str = "\
@@ -131,7 +131,7 @@ pub(crate) struct Report {
 /// One row flown again.
 #[derive(Debug, Args)]
 #[command(after_help = REPRO_EXAMPLES)]
-#[command(mut_arg("out", |out| out.help("Folder for the results [default: runs/<scenario>-run<I>, overwritten]")))]
+#[command(mut_arg("out", |out| out.help("Folder for the results [default: runs/<scenario or file>-run<I>, overwritten]")))]
 #[command(mut_arg("json", |json| json.help("Print the summary as JSON on stdout, and nothing else there")))]
 pub(crate) struct Repro {
     /// Folder of a sweep
@@ -167,7 +167,10 @@ impl From<Recorded> for Record {
 fn varied(text: &str) -> Result<String, String> {
     match text.split_once('=') {
         Some((key, values)) if !key.trim().is_empty() && !values.trim().is_empty() => Ok(text.to_owned()),
-        _ => Err("expected key=values, such as radio.sigma_db=1,3,5 or chain.tolerance_db=0..5/6".to_owned()),
+        _ => {
+            Err("expected key=values, such as radio.sigma_db=1,3,5 or equalize.tolerance_db=0..5/6"
+                .to_owned())
+        }
     }
 }
 

@@ -11,7 +11,9 @@ pub(crate) fn repro(asked: &Repro) -> Result<(), Failure> {
     let Known { digest, failed } = folder.known(&sweep, asked.run)?;
     let run = sweep.run(asked.run);
     let mission = sweep.lay(run.variant)?;
-    let ours = || output::Folder::ours("runs", &format!("{}-run{}", sweep.about().name, run.index));
+    let file = folder.manifest().file.as_deref();
+    let name = file.map_or_else(|| sweep.about().name.clone(), output::called);
+    let ours = || output::Folder::ours("runs", &name, &format!("-run{}", run.index));
     let flight =
         Flight { seed: run.seed, folder: asked.out.folder(ours)?, is_recorded: true, say: &asked.say };
     let now = flight.fly(&mission)?;

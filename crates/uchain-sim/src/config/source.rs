@@ -126,6 +126,19 @@ impl Source {
         builtin(name_or_path).ok_or_else(|| ConfigError::unknown_scenario(name_or_path))
     }
 
+    /// Name of the file it was read from, without folders; `None` for a built-in scenario.
+    ///
+    /// ```
+    /// use uchain_sim::config::{Source, builtin};
+    /// assert_eq!(Source::find("maps/city.map").unwrap().file_name().as_deref(), Some("city.map"));
+    /// assert_eq!(builtin("corner").unwrap().file_name(), None);
+    /// ```
+    pub fn file_name(&self) -> Option<String> {
+        let is_builtin = self.label.starts_with("<builtin ");
+        let name = Path::new(&self.label).file_name().filter(|_| !is_builtin)?;
+        Some(name.to_string_lossy().into_owned())
+    }
+
     /// Robots explore a map; all else is left to the defaults. The map itself is not read yet.
     fn around_map(path: &Path, kind: &str) -> Self {
         let plain = |c: char| if c.is_ascii_alphanumeric() || c == '_' { c } else { '-' };

@@ -35,11 +35,12 @@ pub(super) fn inspect(
     asked: &Inspect,
     mut recording: Recording<impl Read, ExploreFrame>,
 ) -> Result<(), Failure> {
-    let folder = asked.out.chosen()?;
-    let site = recording.site().map_err(|cause| Failure::Recording { file: asked.file.clone(), cause })?;
+    let folder = asked.folder()?;
+    let site = recording.site();
+    let site = site.map_err(|cause| Failure::refused(&asked.file, &recording.about, cause))?;
     let (mut history, mut timeline) = (ExploreHistory::default(), ExploreTimeline::new(MOMENTS));
     let summary = recording.summary(&site, &mut (&mut history, &mut timeline));
-    let (summary, survey) = summary.map_err(|cause| Failure::played(&asked.file, cause))?;
+    let (summary, survey) = summary.map_err(|cause| Failure::played(&asked.file, &recording.about, cause))?;
     let progress = timeline.into_rounds();
     let whole = recording.frames.end() == Some(End::Whole);
     let version = &recording.about.version;

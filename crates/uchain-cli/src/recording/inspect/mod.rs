@@ -44,15 +44,15 @@ pub(crate) fn inspect(asked: &Inspect) -> Result<(), Failure> {
 }
 
 fn chain(asked: &Inspect, mut recording: Recording<impl Read>) -> Result<(), Failure> {
-    let folder = asked.out.chosen()?;
-    let refused = |cause| Failure::Recording { file: asked.file.clone(), cause };
-    let course = recording.course().map_err(refused)?;
+    let folder = asked.folder()?;
+    let course = recording.course();
+    let course = course.map_err(|cause| Failure::refused(&asked.file, &recording.about, cause))?;
     let of_ticks = total_ticks(course.scenario.duration_s);
     let lost_s = course.scenario.link.lost_s;
     let mut watch = Watch::new(course.spawns.len(), of_ticks, false);
     let mut timeline = Timeline::new(MOMENTS, lost_s);
     let summary = recording.summary(&course, &mut (&mut watch, &mut timeline));
-    let summary = summary.map_err(|cause| Failure::played(&asked.file, cause))?;
+    let summary = summary.map_err(|cause| Failure::played(&asked.file, &recording.about, cause))?;
     let ticks = recording.frames.tick();
 
     let moments = timeline.into_moments();

@@ -4,9 +4,9 @@ mod markdown;
 mod pictures;
 
 use std::{
-    fs::{self, File},
-    io::{BufWriter, Write as _},
-    path::{Path, PathBuf},
+    fs,
+    io::{self, BufWriter, Write as _},
+    path::Path,
 };
 
 use uchain_sim::sweep::{
@@ -16,7 +16,7 @@ use uchain_sim::sweep::{
 };
 
 use super::Report;
-use crate::{args::Quiet, exit::Failure};
+use crate::{args::Quiet, exit::Failure, output::unfinished_file};
 
 /// Every cell of every number, for programs.
 const CSV: &str = "report.csv";
@@ -32,6 +32,8 @@ pub(crate) fn report(asked: &Report) -> Result<(), Failure> {
         let there = folder.totals(&folder.sweep()?)?.runs;
         return Err(FolderError::NoTable { folder: asked.folder.clone(), there, runs }.into());
     }
+    let _alone = folder.lock()?;
+    clear(folder.path())?;
     let sweep = folder.sweep()?;
     let metrics = write_csv(&folder, &sweep)?;
     let failures = failures(&folder, &sweep)?;
@@ -45,11 +47,11 @@ pub(crate) fn report(asked: &Report) -> Result<(), Failure> {
         };
         let Some(chart) = chart else { continue };
         let picture = uchain_sim::draw::sweep::chart(&chart)?;
-        write(plots.join(format!("{}.png", metric.name)), &picture.png)?;
-        write(plots.join(format!("{}.svg", metric.name)), picture.svg.as_bytes())?;
+        write(&plots.join(format!("{}.png", metric.name)), &picture.png)?;
+        write(&plots.join(format!("{}.svg", metric.name)), picture.svg.as_bytes())?;
     }
     let text = markdown::write(&folder, &sweep, &folder.totals(&sweep)?, &metrics, &failures);
-    write(folder.path().join(MARKDOWN), text.as_bytes())?;
+    write(&folder.path().join(MARKDOWN), text.as_bytes())?;
     said(&asked.quiet, folder.path(), &text)
 }
 
@@ -72,15 +74,36 @@ fn said(quiet: &Quiet, folder: &Path, text: &str) -> Result<(), Failure> {
     })
 }
 
-fn write(file: PathBuf, bytes: &[u8]) -> Result<(), Failure> {
-    fs::write(&file, bytes).map_err(|cause| Failure::Write { file, cause })
+fn write(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let written = || {
+        let mut out = unfinished_file(file.parent().unwrap_or(Path::new(".")))?;
+        out.write_all(bytes)?;
+        out.persist(file)?;
+        Ok(())
+    };
+    written().map_err(|cause| Failure::Write { file: file.to_owned(), cause })
+}
+
+/// Removes an older report: what it claims first.
+fn clear(folder: &Path) -> Result<(), Failure> {
+    let plots = fs::read_dir(folder.join(PLOTS)).into_iter().flatten().flatten();
+    let plots = plots.map(|entry| entry.path()).filter(|file| !file.is_dir());
+    for file in [MARKDOWN, CSV].into_iter().map(|name| folder.join(name)).chain(plots) {
+        match fs::remove_file(&file) {
+            Err(cause) if cause.kind() != io::ErrorKind::NotFound => {
+                return Err(Failure::Write { file, cause });
+            }
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 /// All cells of all numbers, a line each, as they are read: any number of variants.
 fn write_csv(folder: &Folder, sweep: &Sweep) -> Result<Vec<Metric>, Failure> {
     let file = folder.path().join(CSV);
     let failed = |cause| Failure::Write { file: file.clone(), cause };
-    let mut out = BufWriter::new(File::create(&file).map_err(failed)?);
+    let mut out = BufWriter::new(unfinished_file(folder.path()).map_err(failed)?);
     let keys: Vec<String> = sweep.design().keys().map(quoted).collect();
     let head: Vec<&str> = ["metric", "variant"]
         .into_iter()
@@ -101,7 +124,8 @@ fn write_csv(folder: &Folder, sweep: &Sweep) -> Result<Vec<Metric>, Failure> {
             writeln!(out, "{},{variant}{values},{count},{mean},{ends},{median}", column.name).map_err(failed)
         })?);
     }
-    out.flush().map_err(failed)?;
+    let out = out.into_inner().map_err(|error| failed(error.into_error()))?;
+    out.persist(&file).map_err(|error| failed(error.error))?;
     Ok(all)
 }
 

@@ -195,7 +195,7 @@ mod tests {
 
     #[test]
     fn a_range_holds_both_of_its_ends_and_whole_numbers_stay_whole() {
-        assert_eq!(values("chain.tolerance_db=0..5/6"), ["0", "1", "2", "3", "4", "5"]);
+        assert_eq!(values("equalize.tolerance_db=0..5/6"), ["0", "1", "2", "3", "4", "5"]);
         assert_eq!(values("radio.sigma_db=0.1..0.7/4")[3], "0.7");
     }
 

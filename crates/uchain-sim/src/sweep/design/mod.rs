@@ -89,7 +89,7 @@ pub enum DesignError {
 /// What is varied, as it was written.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DesignText {
-    /// One key each: `radio.sigma_db=1,3,5` or `chain.tolerance_db=0..5/6`.
+    /// One key each: `radio.sigma_db=1,3,5` or `equalize.tolerance_db=0..5/6`.
     pub vary: Vec<String>,
     /// A table in CSV, keys in its first line, a variant in every other one.
     pub table: Option<String>,

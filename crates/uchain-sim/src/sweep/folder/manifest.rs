@@ -27,6 +27,10 @@ pub struct Manifest {
     pub version: String,
     /// The scenario's name.
     pub name: String,
+    /// Name of the file it was read from, without folders; a built-in scenario has none. What is flown again is called
+    /// by it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
     /// The scenario's text.
     pub scenario: String,
     /// What was written over it for all variants (`--set`).
@@ -91,6 +95,7 @@ impl Manifest {
         Self {
             version: VERSION.to_owned(),
             name: sweep.about.name.clone(),
+            file: sweep.source.file_name(),
             scenario: sweep.source.text.clone(),
             set: sweep.sets.clone(),
             design: sweep.design.text().clone(),

@@ -8,14 +8,14 @@ mod chunk;
 mod durable;
 mod error;
 mod job;
+mod lock;
 mod manifest;
 mod merge;
 mod table;
 mod totals;
 
 use std::{
-    fs::{self, File, TryLockError},
-    io,
+    fs, io,
     ops::Range,
     path::{Path, PathBuf},
     sync::OnceLock,
@@ -23,6 +23,7 @@ use std::{
 
 pub use error::FolderError;
 pub use job::{Job, Record, Shard, Watch};
+pub use lock::{LOCK, Lock, LockError};
 pub use manifest::Manifest;
 pub use merge::merge;
 pub use totals::Totals;
@@ -49,7 +50,7 @@ pub struct Folder {
     /// Whether the bytes of the table were found to be those that were written.
     is_checked: OnceLock<()>,
     /// Held as long as someone may write.
-    _lock: Option<File>,
+    _lock: Option<Lock>,
 }
 
 /// What is known of one run of a sweep.
@@ -77,7 +78,7 @@ impl Folder {
             if let Some(what) = there.on_disk.manifest.differs(&manifest) {
                 return Err(FolderError::Another { folder: folder(), what });
             }
-            let mut this = Self { _lock: lock(path)?, ..there };
+            let mut this = Self { _lock: Some(lock(path)?), ..there };
             // The sweep may have been carried elsewhere, and the files that it reads as well.
             let scenes = absolute(scenes)?;
             if this.on_disk.folder != scenes {
@@ -105,12 +106,12 @@ impl Folder {
         let lock = lock(path)?;
         let on_disk = OnDisk { manifest, folder: absolute(scenes)?, table: None };
         on_disk.write(path)?;
-        let this = Self::of(path, on_disk, lock);
+        let this = Self::of(path, on_disk, Some(lock));
         this.prepare()?;
         Ok(this)
     }
 
-    fn of(path: &Path, on_disk: OnDisk, lock: Option<File>) -> Self {
+    fn of(path: &Path, on_disk: OnDisk, lock: Option<Lock>) -> Self {
         let hash = on_disk.manifest.hash();
         Self { path: path.to_owned(), on_disk, hash, is_checked: OnceLock::new(), _lock: lock }
     }
@@ -132,6 +133,14 @@ impl Folder {
     /// It holds no sweep, or cannot be read.
     pub fn open(path: &Path) -> Result<Self, FolderError> {
         Ok(Self::of(path, OnDisk::read(path)?, None))
+    }
+
+    /// Takes the folder for oneself, to write beside the sweep, as long as what this gives lives.
+    ///
+    /// # Errors
+    /// Another process writes there.
+    pub fn lock(&self) -> Result<Lock, FolderError> {
+        lock(&self.path)
     }
 
     /// What is flown.
@@ -269,7 +278,7 @@ fn stranger(path: &Path) -> Result<Option<String>, FolderError> {
     for entry in entries {
         let name = entry.map_err(FolderError::io(path, "read"))?.file_name();
         let name = name.to_string_lossy();
-        if !name.ends_with(durable::PART) {
+        if !name.ends_with(durable::PART) && name != LOCK {
             return Ok(Some(name.into_owned()));
         }
     }
@@ -282,16 +291,10 @@ fn absolute(scenes: &Path) -> Result<PathBuf, FolderError> {
     std::path::absolute(scenes).map_err(FolderError::io(scenes, "find the folder"))
 }
 
-/// One process at a time. The system forgets the lock of a process that is killed.
-fn lock(path: &Path) -> Result<Option<File>, FolderError> {
-    if !cfg!(unix) {
-        return Ok(None);
-    }
-    let folder = File::open(path).map_err(FolderError::io(path, "read"))?;
-    match folder.try_lock() {
-        Ok(()) => Ok(Some(folder)),
-        Err(TryLockError::WouldBlock) => Err(FolderError::Busy { folder: path.to_owned() }),
-        // Some file systems know no locks; there everyone minds their own folder.
-        Err(TryLockError::Error(_)) => Ok(None),
-    }
+/// One process at a time.
+fn lock(path: &Path) -> Result<Lock, FolderError> {
+    Lock::take(path).map_err(|error| match error {
+        LockError::Busy => FolderError::Busy { folder: path.to_owned() },
+        LockError::Io(cause) => FolderError::io(path, "lock")(cause),
+    })
 }

@@ -128,7 +128,8 @@ impl FrameMessage {
 
     fn uav(&self, i: usize) -> Option<UavFrame> {
         let tof = match self.tof_m.get(4 * i..4 * i + 4) {
-            Some(&[nw_m, ne_m, sw_m, se_m]) if !nw_m.is_nan() => Some(Tof { nw_m, ne_m, sw_m, se_m }),
+            Some(beams) if beams.iter().all(|beam_m| beam_m.is_nan()) => None,
+            Some(&[nw_m, ne_m, sw_m, se_m]) => Some(Tof { nw_m, ne_m, sw_m, se_m }),
             _ => None,
         };
         Some(UavFrame {
@@ -183,6 +184,15 @@ impl FrameMessage {
         alike(uavs, "x_m", &lengths)?;
         if !self.tof_m.is_empty() {
             alike(4 * uavs, "x_m, times four", &[("tof_m", self.tof_m.len())])?;
+            // A UAV reads all of its beams, or none.
+            let is_half = |beams: &[f32]| {
+                let read = beams.iter().filter(|beam_m| !beam_m.is_nan()).count();
+                !(read == 0 || read == beams.len())
+            };
+            if let Some(uav) = self.tof_m.chunks(4).position(is_half) {
+                let beams = self.tof_m.chunks(4).nth(uav).unwrap_or_default();
+                return Err(format!("tof_m = {beams:?} of UAV {uav}: expected four numbers, or none"));
+            }
         }
         let links = self.link_uav.len();
         let lengths = [

@@ -31,7 +31,8 @@ use records::{Item, Records};
 /// 64 MiB, and the walls.
 ///
 /// Nothing is believed unchecked: a damaged file is refused at the damage, and the frames before it are those that
-/// were written. A file that was cut short is read to its last whole chunk; [`Frames::end`] tells.
+/// were written. A file that was cut short, or that ends in zeros where it was not on the disk yet when the power went, is
+/// read to its last whole chunk; [`Frames::end`] tells.
 #[derive(Debug)]
 pub struct Recording<R, F: Recordable = Frame> {
     /// What it is of.
@@ -202,27 +203,39 @@ fn beginning<R: Read>(records: &mut Records<R>) -> Result<(About, Map), ReadErro
     let not_ours = |why: String| ReadError::NotOurs { why };
     let mut about = None;
     loop {
-        let (found, walls) = match records.next()? {
+        let next = match records.next()? {
             Item::Metadata { name: about::METADATA, entries } => {
-                about =
-                    Some(About::from_entries(entries).map_err(|why| {
-                        not_ours(format!("the metadata record {:?}: {why}", about::METADATA))
-                    })?);
+                let by = entries.get("version").filter(|version| *version != about::OURS).cloned();
+                match About::from_entries(entries) {
+                    Ok(found) => about = Some(found),
+                    Err(why) => {
+                        let by = by.map(|by| format!("recorded by uchain {by:.40}, "));
+                        let by = by.unwrap_or_default();
+                        let error = not_ours(format!("{by}the metadata record {:?}: {why}", about::METADATA));
+                        records.unless_cut(error)?;
+                    }
+                }
+                records.are_ours();
                 continue;
             }
             Item::Attachment { name: about::WALLS, data } => match about.take() {
-                Some(about) => (about, about::walls_from_csv(data)),
+                Some(about) => Some((about, about::walls_from_csv(data))),
                 None => return Err(not_ours(format!("no metadata record {:?}", about::METADATA))),
             },
-            Item::End(_) => return Err(ReadError::Empty { bytes: records.length() }),
-            _ => {
-                let missing = if about.is_none() { about::METADATA } else { about::WALLS };
-                return Err(not_ours(format!("it does not begin with the record {missing:?}")));
+            Item::End(End::Whole) => {
+                return Err(not_ours(format!("it has no metadata record {:?}", about::METADATA)));
             }
+            Item::End(End::CutShort) => return Err(ReadError::Empty { bytes: records.length() }),
+            _ => None,
         };
-        return match walls {
-            Ok(map) => Ok((found, map)),
-            Err(why) => Err(not_ours(format!("the attachment {:?}: {why}", about::WALLS))),
+        return match next {
+            Some((found, Ok(map))) => Ok((found, map)),
+            Some((_, Err(why))) => Err(not_ours(format!("the attachment {:?}: {why}", about::WALLS))),
+            None => {
+                let missing = if about.is_none() { about::METADATA } else { about::WALLS };
+                records.unless_cut(not_ours(format!("it does not begin with the record {missing:?}")))?;
+                continue;
+            }
         };
     }
 }

@@ -18,13 +18,18 @@ pub(super) const MOST_RECORD_BYTES: usize = 1 << 26;
 const READ_BYTES: usize = 1 << 16;
 /// Opcode and length.
 const HEADER_BYTES: u64 = 9;
+/// The longest record whose inside mcap's state machine checks by itself.
+const FOOTER_BYTES: u64 = 20;
+/// From here on opcodes are free for anybody's own records.
+const PRIVATE: u8 = 0x80;
 
 /// How a file ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum End {
     /// With its index: the run that wrote it came to an end.
     Whole,
-    /// In the middle: the run was killed, or is still flying.
+    /// In the middle: the run was killed, or is still flying; or the power went before the last bytes came to the disk,
+    /// and the file ends in zeros.
     CutShort,
 }
 
@@ -53,8 +58,11 @@ pub(super) struct Records<R> {
     /// Number of the next message.
     sequence: u32,
     data_ended: bool,
-    /// Bytes read so far.
+    /// Bytes read so far, and how many of them, at the end, are zeros.
     length: u64,
+    zeros: u64,
+    /// What is known to be a recording of ours is damaged where another file is somebody else's.
+    is_ours: bool,
     end: Option<End>,
 }
 
@@ -77,8 +85,15 @@ impl<R: Read> Records<R> {
             sequence: 0,
             data_ended: false,
             length: 0,
+            zeros: 0,
+            is_ours: false,
             end: None,
         }
+    }
+
+    /// From here on the file is a recording of ours.
+    pub(super) fn are_ours(&mut self) {
+        self.is_ours = true;
     }
 
     /// Where the present record begins in the file (bytes).
@@ -95,12 +110,60 @@ impl<R: Read> Records<R> {
         ReadError::Damaged { byte: self.at, why: why.into() }
     }
 
+    /// A record that others may write, and we do not.
+    fn strange(&self, why: impl Into<String>) -> ReadError {
+        let why = why.into();
+        if self.is_ours { self.damaged(why) } else { ReadError::NotOurs { why } }
+    }
+
     /// The next record; [`Item::End`] over and over at the end. Nothing is to be asked after an error.
     pub(super) fn next(&mut self) -> Result<Item<'_>, ReadError> {
-        match self.find()? {
+        let mut found = match self.find() {
+            Ok(found) => found,
+            Err(error) => {
+                self.unless_cut(error)?;
+                None
+            }
+        };
+        // Records within a chunk are what was written: the chunk's checksum says so. Others may be half zeros.
+        let alone = found.clone().filter(|_| self.opcode != op::CHUNK);
+        if let Some(error) = alone.and_then(|(opcode, body)| self.item(opcode, body).err()) {
+            self.unless_cut(error)?;
+            found = None;
+        }
+        match found {
             Some((opcode, body)) => self.item(opcode, body),
             None => Ok(Item::End(self.end.unwrap_or(End::CutShort))),
         }
+    }
+
+    /// An error is none if all that is left of the file is zeros: where the power goes while a file grows, some file
+    /// systems leave it as long as it was to become, and what was not on the disk yet reads as zeros. It was cut short.
+    /// Reads the file to its end.
+    pub(super) fn unless_cut(&mut self, error: ReadError) -> Result<(), ReadError> {
+        if matches!(error, ReadError::Io(_)) {
+            return Err(error);
+        }
+        let mut bytes = vec![0; READ_BYTES];
+        loop {
+            let read = self.input.read(&mut bytes)?;
+            if read == 0 {
+                break;
+            }
+            self.zeros = zeros_at_end(self.zeros, bytes.get(..read).unwrap_or_default());
+            self.length += read as u64;
+        }
+        let from = self.length - self.zeros;
+        // A damaged header may hide a record as long as a footer behind it.
+        let latest = match error {
+            ReadError::NotMcap => 0,
+            _ => self.next_at + HEADER_BYTES + FOOTER_BYTES,
+        };
+        if self.zeros > 0 && from <= latest {
+            self.end = Some(End::CutShort);
+            return Ok(());
+        }
+        Err(error)
     }
 
     /// Opcode and place of the next record that says something; `None` at the end.
@@ -161,7 +224,9 @@ impl<R: Read> Records<R> {
                 }
                 Some(Err(error)) => return Err(self.refuse(error)),
             };
-            let read = self.input.read(self.reader.insert(wanted))?;
+            let room = self.reader.insert(wanted);
+            let read = self.input.read(room)?;
+            self.zeros = zeros_at_end(self.zeros, room.get(..read).unwrap_or_default());
             self.reader.notify_read(read);
             self.length += read as u64;
         }
@@ -198,6 +263,9 @@ impl<R: Read> Records<R> {
             return Err(self.damaged(format!("a chunk of {records} bytes says it has {length} and {packed}")));
         }
         let found = crc32fast::hash(bytes.0);
+        if crc == 0 && found != 0 && !self.is_ours {
+            return Err(self.strange("its chunks have no checksums"));
+        }
         if found != crc {
             return Err(self.damaged(format!("a chunk has the checksum {found:08x}: expected {crc:08x}")));
         }
@@ -210,8 +278,12 @@ impl<R: Read> Records<R> {
         let in_chunk = self.opcode == op::CHUNK;
         Ok(match opcode {
             // After the data, they are there again for an index.
-            op::SCHEMA | op::CHANNEL => in_chunk,
+            op::SCHEMA | op::CHANNEL if in_chunk || self.data_ended => in_chunk,
             op::MESSAGE if in_chunk => true,
+            // No checksum covers them there, so we do not write them there.
+            op::SCHEMA | op::CHANNEL | op::MESSAGE if !self.data_ended => {
+                return Err(self.strange("messages or their schemas stand outside of chunks"));
+            }
             op::METADATA | op::ATTACHMENT if !in_chunk && !self.data_ended => true,
             op::HEADER | op::MESSAGE_INDEX if !in_chunk && !self.data_ended => false,
             op::DATA_END if !in_chunk && !self.data_ended => {
@@ -227,6 +299,11 @@ impl<R: Read> Records<R> {
                 if self.data_ended =>
             {
                 false
+            }
+            PRIVATE.. => {
+                return Err(
+                    self.strange(format!("a record of kind 0x{opcode:02x} is nobody's but its writer's"))
+                );
             }
             _ => return Err(self.damaged(format!("a record of kind 0x{opcode:02x} has no place here"))),
         })
@@ -256,7 +333,10 @@ impl<R: Read> Records<R> {
                     let length = bytes.u64()?;
                     let data = bytes.take(length)?;
                     let checked = whole.get(..whole.len().checked_sub(4)?)?;
-                    if bytes.u32()? != crc32fast::hash(checked) || !bytes.0.is_empty() {
+                    let (crc, found) = (bytes.u32()?, crc32fast::hash(checked));
+                    // Others may leave the checksum out.
+                    let is_unchecked = crc == 0 && !self.is_ours;
+                    if !(crc == found || is_unchecked) || !bytes.0.is_empty() {
                         return None;
                     }
                     Item::Attachment { name, data }
@@ -269,4 +349,10 @@ impl<R: Read> Records<R> {
             ReadError::Damaged { byte: self.at, why }
         })
     }
+}
+
+/// Zeros at the end of all that was read, after so many before.
+fn zeros_at_end(before: u64, read: &[u8]) -> u64 {
+    let zeros = read.iter().rev().take_while(|byte| **byte == 0).count();
+    zeros as u64 + if zeros == read.len() { before } else { 0 }
 }

@@ -1,0 +1,589 @@
+//! Every example that README, docs and help show: each command line is run, each option and key looked up, each field
+//! of a table found in the file it is said to be in.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    fs,
+    os::unix::fs::{PermissionsExt as _, symlink},
+    path::{Path, PathBuf},
+    process::{Command, Output, Stdio},
+};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+use crate::{folder, shared_cases, stderr, stdout, uchain};
+
+/// A text that users read.
+struct Text {
+    name: String,
+    text: String,
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// README and everything in docs.
+fn documents() -> Vec<Text> {
+    let docs = fs::read_dir(root().join("docs")).unwrap().map(|entry| entry.unwrap().path());
+    let pages = docs.filter(|path| path.extension().is_some_and(|end| end == "md"));
+    let read = |path: PathBuf| Text {
+        name: path.file_name().unwrap().to_str().unwrap().to_owned(),
+        text: fs::read_to_string(path).unwrap(),
+    };
+    let mut documents: Vec<Text> = [root().join("README.md")].into_iter().chain(pages).map(read).collect();
+    documents.sort_by(|a, b| a.name.cmp(&b.name));
+    documents
+}
+
+/// Help of the whole and of every command.
+fn helps() -> Vec<Text> {
+    let here = folder();
+    let help = |args: &[&str]| {
+        let output = uchain(here.path(), args);
+        assert_eq!(output.status.code(), Some(0), "{args:?}: {}", stderr(&output));
+        Text { name: args.join(" "), text: stdout(&output).to_owned() }
+    };
+    let whole = help(&["--help"]);
+    let lines = whole.text.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let names = lines.take_while(|line| !line.is_empty()).filter_map(|line| line.split_whitespace().next());
+    let names: Vec<String> = names.filter(|name| *name != "help").map(str::to_owned).collect();
+    [whole].into_iter().chain(names.iter().map(|name| help(&[name, "--help"]))).collect()
+}
+
+/// Command lines that belong together: what one leaves the next may read.
+struct Block {
+    name: String,
+    lines: Vec<String>,
+}
+
+/// The blocks of a page that are fenced as `bash`.
+fn fenced(page: &Text) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for part in page.text.split("\n```bash\n").skip(1) {
+        let body = part.split("\n```").next().unwrap();
+        let lines = body.lines().map(|line| line.split(" #").next().unwrap().trim().to_owned());
+        let name = format!("{}, block {}", page.name, blocks.len() + 1);
+        blocks.push(Block { name, lines: lines.filter(|line| !line.is_empty()).collect() });
+    }
+    blocks
+}
+
+/// The examples of a help text: a line each, what it does behind two spaces or more.
+fn examples(help: &Text) -> Block {
+    let lines = help.text.lines().skip_while(|line| *line != "Examples:").skip(1);
+    let lines = lines.take_while(|line| !line.is_empty()).map(|line| line.trim().split("  ").next().unwrap());
+    Block { name: help.name.clone(), lines: lines.map(str::to_owned).collect() }
+}
+
+/// What stands in for other programs, and for ours where an example would take minutes.
+const STANDS_IN: &[(&str, &str)] = &[
+    (
+        "uchain",
+        r#"case "$1" in
+            run) exec "$UCHAIN" "$@" --set duration_s=2 ;;
+            sweep) exec "$UCHAIN" "$@" --set duration_s=0.5 ;;
+            paper)
+                # Minutes long: as far as the folder, which is not to be written to.
+                words=("$@"); out=
+                for ((i = 0; i < $#; i++)); do [ "${words[i]}" = --out ] && out="${words[i + 1]}"; done
+                [ "$out" ] || { out=paper; words+=(--out paper); }
+                mkdir -p "$out"; echo dear > "$out/letter.txt"
+                said=$("$UCHAIN" "${words[@]}" 2>&1); code=$?
+                rm "$out/letter.txt"
+                [ $code = 2 ] && [[ "$said" == *"holds something else (letter.txt)"* ]] || { echo "$said" >&2; exit 1; } ;;
+            *) exec "$UCHAIN" "$@" ;;
+        esac"#,
+    ),
+    (
+        "cargo",
+        r#"case "$*" in
+            "run --release -- "*) shift 3; exec uchain "$@" ;;
+            "xtask test" | "xtask bench") ;;
+            *) echo "cargo $*: what is that?" >&2; exit 1 ;;
+        esac"#,
+    ),
+    ("jq", r#"asked="$ASKED/$(date +%N)$$"; printf '%s ' "$@" > "$asked.words"; cat > "$asked.json""#),
+    ("man", "cat > /dev/null"),
+    ("less", r#"test -s "$1""#),
+    ("rerun", r#"test -s "$1""#),
+];
+
+/// A place to run examples in.
+struct Bench {
+    root: TempDir,
+    blocks: usize,
+}
+
+impl Bench {
+    fn new() -> Self {
+        let root = folder();
+        let bin = root.path().join("bin");
+        for name in ["bin", "home/.zfunc", "home/.config/fish/completions", "asked", "fixtures"] {
+            fs::create_dir_all(root.path().join(name)).unwrap();
+        }
+        for (name, script) in STANDS_IN {
+            let file = bin.join(name);
+            fs::write(&file, format!("#!/usr/bin/env bash\n{script}\n")).unwrap();
+            fs::set_permissions(&file, fs::Permissions::from_mode(0o755)).unwrap();
+        }
+        if let Some(cases) = shared_cases() {
+            symlink(fs::canonicalize(cases.join("..")).unwrap(), root.path().join("shared")).unwrap();
+        }
+        let bench = Self { root, blocks: 0 };
+        bench.lay_fixtures();
+        bench
+    }
+
+    /// Files that examples speak of and that no example makes.
+    fn lay_fixtures(&self) {
+        let here = self.root.path().join("fixtures");
+        let ok = |line: &str| {
+            let output = self.bash(&here, line);
+            assert!(output.status.success(), "{line}: {}", stderr(&output));
+        };
+        ok("uchain show corner > mine.toml");
+        fs::write(here.join("design.csv"), "chain.uavs,radio.sigma_db\n2,1\n3,\n").unwrap();
+        ok("uchain run corner --quiet --out runs/corner-s1 && cp -r runs/corner-s1 runs/corner-s2");
+        ok("for name in run old before after a b; do cp runs/corner-s1/run.mcap $name.mcap; done");
+        ok("uchain sweep corner --replicates 100 --quiet --out sweeps/corner");
+        ok("for i in 1 2 3 4; do uchain sweep corner --replicates 8 --shard $i/4 --quiet --out part$i; done");
+        map(&here, "map", &[[1.5, 0.0], [40.0, 0.0], [40.0, 12.5]]);
+        map(&here, "basement", &[[-50.15, 34.03], [-3.0, 25.7]]);
+        map(&here, "floor", &[[0.0, 0.0], [10.0, 0.0], [10.0, 8.0], [0.0, 8.0]]);
+        let row = ".".repeat(100) + "\n";
+        fs::write(
+            here.join("city.map"),
+            format!("type octile\nheight 100\nwidth 100\nmap\n{}", row.repeat(100)),
+        )
+        .unwrap();
+    }
+
+    /// Runs the lines of a block one after the other; what went wrong.
+    fn run(&mut self, block: &Block) -> Vec<String> {
+        self.blocks += 1;
+        let here = self.root.path().join(format!("block{}", self.blocks));
+        fs::create_dir(&here).unwrap();
+        let makes = |name: &str| block.lines.iter().any(|line| line.contains(&format!("--out {name}")));
+        let fixtures = self.root.path().join("fixtures");
+        for name in
+            ["mine.toml", "design.csv", "city.map", "runs", "sweeps", "part1", "part2", "part3", "part4"]
+                .iter()
+                .chain(&["map.yaml", "map.pgm", "basement.yaml", "basement.pgm", "floor.yaml", "floor.pgm"])
+                .chain(&["run.mcap", "old.mcap", "before.mcap", "after.mcap", "a.mcap", "b.mcap"])
+                .filter(|name| !makes(name))
+        {
+            let copied = Command::new("cp").arg("-r").arg(fixtures.join(name)).arg(&here).status().unwrap();
+            assert!(copied.success(), "{name}");
+        }
+        let mut wrong = Vec::new();
+        for line in &block.lines {
+            if line.ends_with(" stata") && !self.root.path().join("shared").exists() {
+                eprintln!("skipped, its map is not there: {line}");
+                continue;
+            }
+            let output = self.bash(&here, line);
+            if !output.status.success() {
+                wrong.push(format!("{}: {line}\n{}", block.name, String::from_utf8_lossy(&output.stderr)));
+            }
+        }
+        wrong
+    }
+
+    fn bash(&self, here: &Path, line: &str) -> Output {
+        let root = self.root.path();
+        let path = format!("{}:{}", root.join("bin").display(), std::env::var("PATH").unwrap());
+        let mut bash = Command::new("bash");
+        bash.args(["--noprofile", "--norc", "-eu", "-o", "pipefail", "-c", line]).current_dir(here);
+        bash.env("PATH", path).env("HOME", root.join("home")).env("ASKED", root.join("asked"));
+        bash.env("UCHAIN", env!("CARGO_BIN_EXE_uchain")).env("fpath", "").stdin(Stdio::null());
+        bash.output().unwrap()
+    }
+
+    /// Fields that jq was asked for and that were not in what it was given.
+    fn fields_not_there(&self) -> Vec<String> {
+        let mut missing = Vec::new();
+        let entries =
+            fs::read_dir(self.root.path().join("asked")).unwrap().map(|entry| entry.unwrap().path());
+        for words in entries.filter(|path| path.extension().is_some_and(|end| end == "words")) {
+            let json: Value =
+                serde_json::from_slice(&fs::read(words.with_extension("json")).unwrap()).unwrap();
+            let mut keys = BTreeSet::new();
+            keys_of(&json, &mut keys);
+            let asked = fs::read_to_string(&words).unwrap();
+            let names = asked.split(|c: char| !(c.is_alphanumeric() || "._".contains(c)));
+            let fields = names.filter_map(|name| name.strip_prefix('.')).flat_map(|path| path.split('.'));
+            let fields = fields.filter(|field| !field.is_empty() && !keys.contains(*field));
+            missing.extend(fields.map(|field| format!("jq {asked}: {field} is not there")));
+        }
+        missing
+    }
+}
+
+fn keys_of(value: &Value, into: &mut BTreeSet<String>) {
+    match value {
+        Value::Object(fields) => {
+            for (key, value) in fields {
+                into.insert(key.clone());
+                keys_of(value, into);
+            }
+        }
+        Value::Array(values) => values.iter().for_each(|value| keys_of(value, into)),
+        _ => {}
+    }
+}
+
+/// A ROS map: rock, and free ground within a metre of a line.
+fn map(here: &Path, name: &str, line: &[[f64; 2]]) {
+    const CELL_M: f64 = 0.1;
+    let ends = |axis: usize| {
+        let at = line.iter().map(|point| point[axis]);
+        (at.clone().fold(f64::INFINITY, f64::min) - 2.0, at.fold(f64::NEG_INFINITY, f64::max) + 2.0)
+    };
+    let ((left_m, right_m), (bottom_m, top_m)) = (ends(0), ends(1));
+    let cells = |length_m: f64| (length_m / CELL_M).ceil() as usize;
+    let (width, height) = (cells(right_m - left_m), cells(top_m - bottom_m));
+    let is_free = |x_m: f64, y_m: f64| {
+        line.windows(2).any(|pair| {
+            let (along, from) =
+                ([pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]], [x_m - pair[0][0], y_m - pair[0][1]]);
+            let length2 = along[0] * along[0] + along[1] * along[1];
+            let share = ((along[0] * from[0] + along[1] * from[1]) / length2).max(0.0);
+            let share = share.min(1.0);
+            let off = [from[0] - share * along[0], from[1] - share * along[1]];
+            off[0] * off[0] + off[1] * off[1] < 1.0
+        })
+    };
+    let mut picture = format!("P5\n{width} {height}\n255\n").into_bytes();
+    for row in 0..height {
+        for column in 0..width {
+            let (x_m, y_m) = (left_m + (column as f64 + 0.5) * CELL_M, top_m - (row as f64 + 0.5) * CELL_M);
+            picture.push(if is_free(x_m, y_m) { 254 } else { 0 });
+        }
+    }
+    fs::write(here.join(format!("{name}.pgm")), picture).unwrap();
+    let origin_m = top_m - height as f64 * CELL_M;
+    let yaml = format!(
+        "image: {name}.pgm\nresolution: {CELL_M}\norigin: [{left_m}, {origin_m}, 0.0]\nnegate: 0\n\
+         occupied_thresh: 0.65\nfree_thresh: 0.196\n"
+    );
+    fs::write(here.join(format!("{name}.yaml")), yaml).unwrap();
+}
+
+#[test]
+fn every_command_line_in_readme_docs_and_help_can_be_typed_as_it_stands() {
+    let blocks: Vec<Block> =
+        documents().iter().flat_map(fenced).chain(helps().iter().map(examples)).collect();
+    let count: usize = blocks.iter().map(|block| block.lines.len()).sum();
+    assert!(blocks.len() > 20 && count > 75, "{count} lines in {} blocks", blocks.len());
+    let mut bench = Bench::new();
+    let mut wrong: Vec<String> = blocks.iter().flat_map(|block| bench.run(block)).collect();
+    wrong.extend(bench.fields_not_there());
+    assert!(wrong.is_empty(), "{} of {count} are wrong:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
+fn a_wrong_example_is_found() {
+    let mut bench = Bench::new();
+    let lines = [
+        "uchain run corner --set chain.tolerance_db=3",
+        "uchain run corner --sed 7",
+        "uchain run mines.toml",
+        "cargo run --release -- plan corner --two 40",
+        "uchain sweep corner --vary chain.tolerance_db=0..5/6 --out s",
+        "uchain paper fig4z --out again",
+        "uchain paper all --aut again",
+        "cargo xtask tset",
+        "uchain report sweeps/corners",
+    ];
+    for line in lines {
+        let block = Block { name: "planted".to_owned(), lines: vec![line.to_owned()] };
+        assert_eq!(bench.run(&block).len(), 1, "{line}");
+    }
+    assert_eq!(bench.fields_not_there(), Vec::<String>::new());
+    let lines = vec!["uchain run corner --json | jq .sprd_db".to_owned()];
+    assert_eq!(bench.run(&Block { name: "planted".to_owned(), lines }), Vec::<String>::new());
+    assert_eq!(bench.fields_not_there().len(), 1);
+}
+
+/// All keys and tables there are, and all options of all commands.
+struct Known {
+    tables: BTreeSet<String>,
+    options: BTreeMap<String, BTreeSet<String>>,
+    here: TempDir,
+}
+
+impl Known {
+    fn new() -> Self {
+        let here = folder();
+        let list = uchain(here.path(), &["explain"]);
+        let keys = stdout(&list).lines().filter_map(|line| line.strip_prefix("  ")?.split(' ').next());
+        let tables = keys.filter_map(|key| key.split_once('.')).map(|(table, _)| table.to_owned()).collect();
+        let options = helps().into_iter().map(|help| {
+            let words = help.text.split(|c: char| c.is_whitespace() || "[],=<>()'`".contains(c));
+            let options = words.filter(|word| word.starts_with("--")).map(str::to_owned);
+            (help.name.trim_end_matches("--help").trim().to_owned(), options.collect())
+        });
+        Self { tables, options: options.collect(), here }
+    }
+
+    /// `chain.uavs` of `chain.uavs=3`, `--set chain.uavs = 3` and `chain.uavs`, if that is what a word is.
+    fn key<'w>(&self, word: &'w str) -> Option<&'w str> {
+        let key = word.split(['=', ' ', ':']).next()?.trim_matches(['[', ']']);
+        let (table, rest) = key.split_once('.')?;
+        let is_file =
+            ["yaml", "pgm", "png", "svg", "toml", "json", "mcap", "csv", "rs", "md"].contains(&rest);
+        let is_name = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || "._".contains(c);
+        (self.tables.contains(table) && !is_file && !rest.is_empty() && rest.chars().all(is_name))
+            .then_some(key)
+    }
+
+    fn explains(&self, key: &str) -> bool {
+        let explains = |key: &str| uchain(self.here.path(), &["explain", key]).status.success();
+        // A key of the map's own table, whatever kind of map it is.
+        let of_a_map = key.strip_prefix("map.").filter(|rest| !rest.contains('.'));
+        explains(key)
+            || of_a_map.is_some_and(|rest| {
+                ["ros", "movingai"].iter().any(|kind| explains(&format!("map.{kind}.{rest}")))
+            })
+    }
+
+    fn has_option(&self, command: Option<&str>, option: &str) -> bool {
+        self.options
+            .iter()
+            .filter(|(name, _)| command.is_none_or(|command| command == *name))
+            .any(|(_, options)| options.contains(option))
+    }
+
+    /// What is wrong in a piece of code within a sentence.
+    fn wrong_in(&self, code: &str) -> Option<String> {
+        let words: Vec<&str> = code.split_whitespace().collect();
+        let command = match words.as_slice() {
+            ["uchain", command, ..] if !command.starts_with('-') => {
+                if !self.options.contains_key(*command) {
+                    return Some(format!("`{code}`: no command is called {command}"));
+                }
+                Some(*command)
+            }
+            ["uchain", ..] => None,
+            [first, ..] if first.starts_with("--") => None,
+            // `report --quiet`, `uchain` left out.
+            [command, option, ..] if option.starts_with("--") && self.options.contains_key(*command) => {
+                Some(*command)
+            }
+            [word, ..] => {
+                let key = self.key(word)?;
+                return (!self.explains(key)).then(|| format!("`{code}`: no key is called {key}"));
+            }
+            [] => return None,
+        };
+        let options =
+            words.iter().filter(|word| word.starts_with("--")).map(|word| word.split('=').next().unwrap());
+        for option in options {
+            if !self.has_option(command, option) {
+                return Some(format!("`{code}`: no option is called {option}"));
+            }
+        }
+        let key = words.iter().find_map(|word| self.key(word)).filter(|key| !self.explains(key))?;
+        Some(format!("`{code}`: no key is called {key}"))
+    }
+}
+
+impl Known {
+    /// What is wrong in some lines of a scenario: each has to be TOML, and every key one that there is, with a value it
+    /// may have.
+    fn wrong_lines(&self, text: &str) -> Option<String> {
+        let table = match text.parse::<toml::Table>() {
+            Ok(table) => table,
+            Err(error) => return Some(format!("`{text}`: {error}")),
+        };
+        let mut sets = Vec::new();
+        sets_of("", &toml::Value::Table(table), &mut sets);
+        let scenario = if text.contains("explore") { "apartment" } else { "corner" };
+        let wrong = sets.iter().map(|set| uchain(self.here.path(), &["check", scenario, "--set", set]));
+        wrong.filter(|output| !output.status.success()).map(|output| stderr(&output).to_owned()).next()
+    }
+
+    /// Whether a piece of code is a line of a scenario.
+    fn is_line(&self, code: &str) -> bool {
+        let key = code.split(" = ").next().unwrap();
+        code.contains(" = ") && (self.key(key).is_some() || key == "preset")
+    }
+}
+
+/// `chain.uavs=3` of every value in a table.
+fn sets_of(key: &str, value: &toml::Value, into: &mut Vec<String>) {
+    match value {
+        toml::Value::Table(table) => {
+            for (step, value) in table {
+                let below = if key.is_empty() { step.clone() } else { format!("{key}.{step}") };
+                sets_of(&below, value, into);
+            }
+        }
+        value => into.push(format!("{key}={value}")),
+    }
+}
+
+#[test]
+fn every_line_of_a_scenario_that_is_shown_can_be_written() {
+    let known = Known::new();
+    let documents = documents();
+    let blocks = documents.iter().flat_map(|page| page.text.split("\n```toml\n").skip(1));
+    let blocks = blocks.map(|rest| rest.split("\n```").next().unwrap());
+    let lines = documents.iter().flat_map(code).filter(|code| known.is_line(code));
+    let shown: Vec<&str> = blocks.chain(lines).collect();
+    assert!(shown.len() >= 2, "{shown:?}");
+    let wrong: Vec<String> = shown.iter().filter_map(|text| known.wrong_lines(text)).collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    for planted in [
+        "explore.vehicle = \"octorotor\"",
+        "preset = cavemod",
+        "[chain]\nuavs = 3\nbase = 1",
+        "link.gap = \"helt\"",
+    ] {
+        assert!(known.is_line(planted) || planted.contains('\n'), "{planted}");
+        assert!(known.wrong_lines(planted).is_some(), "{planted}");
+    }
+}
+
+/// The pieces of code within the sentences of a page.
+fn code(page: &Text) -> Vec<&str> {
+    let outside = page.text.split("```").step_by(2);
+    outside.flat_map(|text| text.split('`').skip(1).step_by(2)).collect()
+}
+
+#[test]
+fn every_key_option_and_command_that_a_sentence_names_is_there() {
+    let known = Known::new();
+    assert!(known.tables.len() > 10 && known.options.len() > 15, "{:?}", known.options.keys());
+    let documents = documents();
+    let pieces: Vec<&str> = documents.iter().flat_map(code).collect();
+    let mut wrong: Vec<String> = pieces.iter().filter_map(|code| known.wrong_in(code)).collect();
+    // Help speaks of keys without marking them; so do messages, behind "such as".
+    let helps = helps();
+    let said =
+        helps.iter().flat_map(|help| help.text.split(|c: char| c.is_whitespace() || "()'\"".contains(c)));
+    let messages = sources();
+    let such_as = messages.iter().flat_map(|text| text.split("such as ").skip(1));
+    let such_as = such_as.flat_map(|text| {
+        text.lines().next().unwrap_or_default().split(|c: char| c.is_whitespace() || "()'\"\\".contains(c))
+    });
+    let mut keys: Vec<&str> =
+        said.chain(such_as).filter(|word| word.contains('=')).filter_map(|word| known.key(word)).collect();
+    keys.sort_unstable();
+    keys.dedup();
+    assert!(keys.len() > 10, "{keys:?}");
+    wrong.extend(keys.iter().filter(|key| !known.explains(key)).map(|key| format!("no key is called {key}")));
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+
+    // The controls.
+    for code in ["takeoff.s_max_db", "--sett", "uchain fly", "uchain plan --shard 2/4", "--set radio.sigma=3"]
+    {
+        assert!(known.wrong_in(code).is_some(), "{code}");
+    }
+    for code in ["takeoff.s_min_db", "--set radio.sigma_db=3", "map.yaml", "uchain sweep --shard", "run.mcap"]
+    {
+        assert_eq!(known.wrong_in(code), None, "{code}");
+    }
+}
+
+/// The sources of command line and simulation.
+fn sources() -> Vec<String> {
+    fn read(folder: &Path, into: &mut Vec<String>) {
+        for path in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+            if path.is_dir() {
+                read(&path, into);
+            } else if path.extension().is_some_and(|end| end == "rs") {
+                into.push(fs::read_to_string(path).unwrap());
+            }
+        }
+    }
+    let mut sources = Vec::new();
+    for room in ["uchain-cli", "uchain-sim"] {
+        read(&root().join("crates").join(room).join("src"), &mut sources);
+    }
+    sources
+}
+
+/// Fields of the tables of README headed by "field of `file`", by the heading above them.
+fn fields_in_tables() -> BTreeMap<(String, String), BTreeSet<String>> {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let (mut section, mut file) = (String::new(), None::<String>);
+    let mut fields: BTreeMap<(String, String), BTreeSet<String>> = BTreeMap::new();
+    for line in readme.lines() {
+        if let Some(heading) = line.strip_prefix("## ") {
+            heading.clone_into(&mut section);
+        }
+        if let Some(rest) = line.strip_prefix("| field of `") {
+            file = rest.split('`').next().map(str::to_owned);
+        } else if !line.starts_with('|') {
+            file = None;
+        } else if let Some(file) = file.as_ref().filter(|_| !line.starts_with("|-")) {
+            let first = line.split('|').nth(1).unwrap();
+            let names = first.split('`').skip(1).step_by(2).map(str::to_owned);
+            fields.entry((section.clone(), file.clone())).or_default().extend(names);
+        }
+    }
+    fields
+}
+
+#[test]
+fn every_field_of_a_result_is_in_readmes_table_and_every_field_of_the_table_is_in_a_result() {
+    let here = folder();
+    let fields_of = |args: &[&str], out: &str| -> BTreeSet<String> {
+        let output = uchain(here.path(), &[args, &["--json", "--out", out]].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let json: Value = serde_json::from_str(stdout(&output)).unwrap();
+        json.as_object().unwrap().keys().cloned().collect()
+    };
+    let tables = fields_in_tables();
+    let expected = [
+        (
+            "What a run leaves",
+            "summary.json",
+            fields_of(&["run", "corner", "--set", "duration_s=5"], "chain"),
+        ),
+        ("Explorations", "summary.json", fields_of(&["run", "apartment", "--set", "duration_s=5"], "rooms")),
+        ("How many UAVs does my tunnel need?", "plan.json", fields_of(&["plan", "corner"], "plan")),
+    ];
+    assert_eq!(tables.len(), expected.len(), "{:?}", tables.keys());
+    for (section, file, fields) in expected {
+        let table = &tables[&(section.to_owned(), file.to_owned())];
+        let (only_there, only_here): (Vec<_>, Vec<_>) =
+            (fields.difference(table).collect(), table.difference(&fields).collect());
+        assert!(
+            only_there.is_empty() && only_here.is_empty(),
+            "{section}: {file} has {only_there:?} besides, and the table {only_here:?}"
+        );
+    }
+}
+
+#[test]
+fn the_answer_of_a_plan_that_readme_shows_is_the_one_it_gives() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let shown: Vec<&str> =
+        readme.split("\n```text\n").skip(1).map(|rest| rest.split("\n```").next().unwrap()).collect();
+    let [shown] = shown.as_slice() else { panic!("{} texts, of which one is known", shown.len()) };
+    let plan = uchain(folder().path(), &["plan", "staircase"]);
+    let answer = stdout(&plan).lines().rev().nth(1).unwrap();
+    assert_eq!(shown.split_whitespace().collect::<Vec<_>>().join(" "), answer);
+}
+
+#[test]
+fn every_program_that_is_shown_and_flies_brings_its_own_mathematics() {
+    let mut flying = 0;
+    for source in sources() {
+        // Examples in the documentation.
+        for example in source.split("/// ```\n").skip(1).step_by(2).filter(|text| !text.is_empty()) {
+            let flies = ["run(&", "explore(&", "replay::", "fly(mission", "ExploreRecorder::start"];
+            if flies.iter().any(|call| example.contains(call)) {
+                flying += 1;
+                assert!(example.contains("use uchain_libm as _;"), "{example}");
+            }
+        }
+    }
+    assert!(flying >= 7, "{flying}");
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    assert!(readme.contains("`use uchain_libm as _;`"));
+}
