@@ -19,6 +19,14 @@ impl Segment {
         distance_squared(self.a.as_dvec2(), self.b.as_dvec2(), p.as_dvec2()).sqrt() as f32
     }
 
+    /// The same wall in pieces of at most this length (m), end to end; itself if it is no longer.
+    pub(super) fn pieces(&self, most_m: f64) -> impl Iterator<Item = [Vec2; 2]> + use<> {
+        let (a, b) = self.ends();
+        let count = (a.distance(b) / most_m).ceil().max(1.0);
+        let at = move |piece: u32| a.lerp(b, f64::from(piece) / count).as_vec2();
+        (0..count as u32).map(move |piece| [at(piece), at(piece + 1)])
+    }
+
     pub(super) fn ends(&self) -> (DVec2, DVec2) {
         (self.a.as_dvec2(), self.b.as_dvec2())
     }
@@ -62,4 +70,23 @@ pub(super) fn touch((a, b): (DVec2, DVec2), (c, d): (DVec2, DVec2)) -> bool {
 /// Whether two orientations are strictly on opposite sides.
 pub(super) fn opposite(s: f64, t: f64) -> bool {
     (s > 0.0 && t < 0.0) || (s < 0.0 && t > 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wall_is_cut_only_if_it_is_too_long_and_its_pieces_make_it_whole() {
+        let wall = |x: f32, y: f32| Segment { a: Vec2::new(-3.7, 2.1), b: Vec2::new(x, y) };
+        for (wall, count) in
+            [(wall(5.0, 5.0), 1), (wall(-3.7, 2.1), 1), (wall(9e4, -8.1e4), 473), (wall(0.0, 300.0), 2)]
+        {
+            let pieces: Vec<[Vec2; 2]> = wall.pieces(256.0).collect();
+            assert_eq!(pieces.len(), count);
+            assert_eq!((pieces[0][0], pieces[count - 1][1]), (wall.a, wall.b));
+            assert!(pieces.windows(2).all(|pair| pair[0][1] == pair[1][0]));
+            assert!(pieces.iter().all(|[a, b]| a.distance(*b) < 256.1));
+        }
+    }
 }

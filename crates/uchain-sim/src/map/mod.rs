@@ -46,6 +46,11 @@ pub const MOST_WALLS: usize = 1_000_000;
 /// Farthest a wall may lie from the origin of the map frame, along x or y (m).
 pub const FARTHEST_M: f32 = 100_000.0;
 
+/// Longest wall of rapier's (m), on maps whose walls make no more than [`MOST_PIECES`] of them.
+const COLLIDER_WALL_M: f64 = 4096.0;
+/// By how many long walls may grow more when they are cut (1).
+const MOST_PIECES: f64 = 100_000.0;
+
 /// What cells of unknown state in a map file are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -161,10 +166,16 @@ impl Map {
     }
 
     /// The walls as one shape of rapier's; `None` without walls.
+    ///
+    /// Where on a wall a body touches it is a share of the wall's length in `f32`: along 200 km that is off by
+    /// centimetres, and the wall pushes askew. So long walls are several here.
     pub(crate) fn collider_shape(&self) -> Option<SharedShape> {
         let polyline = || {
-            let corners = self.walls.iter().flat_map(|wall| [wall.a, wall.b]).collect();
-            let edges = (0..self.walls.len() as u32).map(|i| [2 * i, 2 * i + 1]).collect();
+            let total_m: f64 = self.walls.iter().map(|wall| f64::from(wall.a.distance(wall.b))).sum();
+            let most_m = COLLIDER_WALL_M.max(total_m / MOST_PIECES);
+            let corners: Vec<Vec2> =
+                self.walls.iter().flat_map(|wall| wall.pieces(most_m)).flatten().collect();
+            let edges = (0..corners.len() as u32 / 2).map(|i| [2 * i, 2 * i + 1]).collect();
             SharedShape::polyline(corners, Some(edges))
         };
         (!self.walls.is_empty()).then(|| self.collider_shape.get_or_init(polyline).clone())

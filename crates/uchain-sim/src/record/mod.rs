@@ -5,6 +5,7 @@ mod explore;
 pub mod mcap;
 mod moment;
 mod progress;
+mod way;
 
 use uchain_core::chain::Tof;
 
@@ -14,6 +15,7 @@ pub use moment::Moment;
 pub(crate) use moment::spread_db;
 pub(crate) use progress::Odometer;
 pub use progress::Progress;
+pub(crate) use way::Way;
 
 /// One UAV at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,8 +1,9 @@
 //! How far an exploration has come.
 
+use glam::DVec2;
 use serde::Serialize;
 
-use super::{ExploreFrame, RobotFrame};
+use super::{ExploreFrame, RobotFrame, way::Way};
 
 /// An exploration so far, in a few numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
@@ -31,23 +32,21 @@ pub struct Progress {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Odometer {
     now: Progress,
-    places_m: Vec<[f32; 2]>,
+    ways: Vec<Way>,
 }
 
 impl Odometer {
     /// Takes the next frame; how far it has come with it.
     pub(crate) fn add(&mut self, frame: &ExploreFrame) -> Progress {
-        if self.places_m.is_empty() {
+        if self.ways.is_empty() {
             // Where they stood before the first tick, they scanned.
-            self.places_m = frame.robots.iter().map(|robot| [robot.x_m, robot.y_m]).collect();
-            for (place_m, node) in self.places_m.iter_mut().zip(&frame.nodes) {
-                *place_m = node.at_m;
-            }
+            let scanned = |i: usize| frame.nodes.get(i).map(|node| DVec2::from(node.at_m.map(f64::from)));
+            let start = |(i, robot): (usize, &RobotFrame)| scanned(i).unwrap_or_else(|| place_m(robot));
+            self.ways =
+                frame.robots.iter().enumerate().map(start).map(|at_m| Way::from(at_m.extend(0.0))).collect();
         }
-        for (place_m, robot) in self.places_m.iter_mut().zip(&frame.robots) {
-            let [dx_m, dy_m] = [robot.x_m - place_m[0], robot.y_m - place_m[1]].map(f64::from);
-            self.now.distance_m += (dx_m * dx_m + dy_m * dy_m).sqrt();
-            *place_m = [robot.x_m, robot.y_m];
+        for (way, robot) in self.ways.iter_mut().zip(&frame.robots) {
+            way.go(place_m(robot).extend(0.0), frame.decision);
         }
         let sum = |count: fn(&RobotFrame) -> u32| frame.robots.iter().map(count).sum::<u32>();
         self.now = Progress {
@@ -57,10 +56,14 @@ impl Odometer {
             edges: self.now.edges + frame.edges.len() as u32,
             hubs: frame.hubs,
             moving: sum(|robot| robot.moves.into()),
-            distance_m: self.now.distance_m,
+            distance_m: self.ways.iter().map(Way::over_ground_m).sum(),
             wall_contacts: sum(|robot| robot.wall_contacts),
             robot_contacts: sum(|robot| robot.robot_contacts) / 2,
         };
         self.now
     }
+}
+
+fn place_m(robot: &RobotFrame) -> DVec2 {
+    DVec2::new(robot.x_m.into(), robot.y_m.into())
 }

@@ -14,11 +14,12 @@ pub mod report;
 mod row;
 mod shelf;
 
-use std::hash::Hasher as _;
+use std::{hash::Hasher as _, sync::Arc};
 
 use twox_hash::XxHash64;
 
 use crate::{
+    analyse::optimum::Charts,
     config::{About, ConfigError, Mission, Source, ValueKind, describe, kind_of},
     map::Map,
     seed::Seed,
@@ -57,6 +58,7 @@ pub struct Sweep {
     /// What the values of every varied key are.
     kinds: Vec<ValueKind>,
     shelf: Shelf,
+    charts: Arc<Charts>,
 }
 
 impl Sweep {
@@ -98,7 +100,8 @@ impl Sweep {
         let first = combined(&design, &sets, 0);
         let about = describe(&source, &first).map_err(|error| design.place(0, error))?;
         let kinds = design.keys().map(|key| kind_of(&source, &first, key)).collect();
-        Ok(Self { source, sets, design, replicates, seed, about, kinds, shelf: Shelf::default() })
+        let (shelf, charts) = (Shelf::default(), Arc::default());
+        Ok(Self { source, sets, design, replicates, seed, about, kinds, shelf, charts })
     }
 
     /// Checks keys and values of every variant, and gives a hash of the walls of the first that can be laid out. What only shows in the map (a base in rock, UAVs that overlap) fails
@@ -127,8 +130,12 @@ impl Sweep {
     /// # Errors
     /// What is wrong with it, and where that was written.
     pub fn lay(&self, variant: u64) -> Result<Mission, ConfigError> {
-        Mission::read(&self.source, &combined(&self.design, &self.sets, variant))
-            .map_err(|error| self.design.place(variant, error))
+        let mut mission = Mission::read(&self.source, &combined(&self.design, &self.sets, variant))
+            .map_err(|error| self.design.place(variant, error))?;
+        if let Mission::Chain(course) = &mut mission {
+            course.charts = self.charts.clone();
+        }
+        Ok(mission)
     }
 
     /// Number of runs.

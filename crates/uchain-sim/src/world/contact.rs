@@ -6,12 +6,14 @@ use rapier2d::prelude::*;
 use super::{
     crowd::Crowd,
     gate::{Gate, GateMode},
-    motion::{Body, MotionParams, SUBSTEPS},
+    motion::{Body, MotionParams},
 };
 use crate::{map::Map, record::TICK_S};
 
 /// How near surfaces must come to count as touching (m); rapier holds them this close.
 const TOUCH_M: f32 = 0.001;
+/// Sub-steps of one tick.
+const SUBSTEPS: usize = 4;
 /// How far they must part for the contact to be over (m).
 const PART_M: f32 = 0.002;
 
@@ -42,7 +44,7 @@ impl Contacts {
         physics.gravity = Vec2::ZERO;
         let settings = &mut physics.integration_parameters;
         settings.dt = TICK_S;
-        settings.num_solver_iterations = SUBSTEPS as usize;
+        settings.num_solver_iterations = SUBSTEPS;
         // A UAV is 0.12 m wide: tolerances in tenths of a millimetre, and contacts foreseen as far as
         // one tick can carry a body.
         settings.normalized_allowed_linear_error = 0.0002;
@@ -120,8 +122,7 @@ impl Contacts {
         for uav in 0..self.gate.near().len() {
             let uav = self.gate.near()[uav] as usize;
             if let Some(rigid) = self.physics.bodies.get(self.handles[uav]) {
-                bodies[uav].at = rigid.translation();
-                bodies[uav].velocity_mps = rigid.linvel();
+                bodies[uav].follow(rigid.translation(), rigid.linvel(), TICK_S);
             }
             self.gate.forget(uav);
         }

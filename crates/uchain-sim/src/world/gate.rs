@@ -6,8 +6,10 @@
 use super::{Body, MotionParams, crowd::Crowd};
 use crate::{map::Map, record::TICK_S};
 
-/// Slack of "within reach" over what one tick's motion can close (m).
+/// Slack of "within reach" over what one tick's motion can close (m), …
 const SLACK_M: f32 = 0.01;
+/// … and over the largest coordinate (m/m): a place that is rounded can be off by so much, and move by so much more.
+const ROUNDING_PER_M: f32 = 2.0 * f32::EPSILON;
 /// Farthest a UAV may fly unasked (m): it bounds how far its neighbours have to be looked for.
 const ROAM_MAX_M: f32 = 0.5;
 /// More than rounding can add to a distance flown (m).
@@ -105,16 +107,17 @@ impl Gate {
     fn ask(&mut self, i: usize, map: &Map, crowd: &Crowd, bodies: &[Body], radius_m: f32) {
         let body = &bodies[i];
         let stride_i_m = stride_m(body);
-        let wall_gap_m = map.clearance_m(body.at) - radius_m - SLACK_M;
+        let slack_m = SLACK_M + ROUNDING_PER_M * body.at.abs().max_element();
+        let wall_gap_m = map.clearance_m(body.at) - radius_m - slack_m;
         if self.mode == GateMode::Open || wall_gap_m < stride_i_m {
             self.mark(i);
         }
         // Who is nowhere (NaN) is asked in every tick.
         let roomy = wall_gap_m > ROUNDING_M;
         let mut roam_m = if roomy { (wall_gap_m - ROUNDING_M).min(ROAM_MAX_M) } else { 0.0 };
-        let reach_m = 2.0 * radius_m + SLACK_M + ROAM_MAX_M + stride_i_m.max(ROAM_MAX_M);
+        let reach_m = 2.0 * radius_m + slack_m + ROAM_MAX_M + stride_i_m.max(ROAM_MAX_M);
         for (j, at) in crowd.near(body.at, reach_m).filter(|(j, _)| *j != i) {
-            let gap_m = at.distance(body.at) - 2.0 * radius_m - SLACK_M;
+            let gap_m = at.distance(body.at) - 2.0 * radius_m - slack_m;
             if gap_m < stride_i_m + stride_m(&bodies[j]) {
                 self.mark(i);
                 self.mark(j);

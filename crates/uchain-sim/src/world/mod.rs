@@ -111,6 +111,8 @@ impl<'a> World<'a> {
 }
 
 #[cfg(test)]
+mod far_tests;
+#[cfg(test)]
 mod gate_tests;
 #[cfg(test)]
 mod tests;

@@ -25,14 +25,13 @@ uchain_core::params! {
     }
 }
 
-/// Sub-steps of one tick, as rapier takes them.
-pub(super) const SUBSTEPS: u32 = 4;
-
 /// One UAV's state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
     /// Position (m).
     pub at: Vec2,
+    /// What `at` leaves of the position (m): a tick's way is less than the spacing of `f32` where coordinates are large.
+    remainder_m: Vec2,
     /// Velocity in the map's frame (m/s).
     pub velocity_mps: Vec2,
     /// Direction of the body's x axis, counter-clockwise, in (−π, π] (rad).
@@ -55,6 +54,7 @@ impl Body {
         let heading_rad = wrap(heading_rad);
         Self {
             at,
+            remainder_m: Vec2::ZERO,
             velocity_mps: Vec2::ZERO,
             heading_rad,
             forward: unit(heading_rad),
@@ -99,12 +99,29 @@ impl Body {
         self.yaw_rate_radps += (command.yaw_rate_radps - self.yaw_rate_radps) * (tick_s / params.yaw_lag_s);
     }
 
-    /// Moves freely for one tick, with the very sums rapier forms: four steps of a quarter.
+    /// Moves freely for one tick. The sum is compensated (Kahan 1965): over any number of ticks it is off by one
+    /// rounding, however far from the map's middle.
     pub(super) fn glide(&mut self, tick_s: f32) {
-        let step_s = tick_s / SUBSTEPS as f32;
-        for _ in 0..SUBSTEPS {
-            self.at += self.velocity_mps * step_s;
-        }
+        let way_m = self.velocity_mps * tick_s + self.remainder_m;
+        let at = self.at + way_m;
+        self.remainder_m = way_m - (at - self.at);
+        self.at = at;
+    }
+
+    /// Moves to where a solver has put the body, with the velocity the solver has left it.
+    ///
+    /// The solver's place is a plain sum of `f32`. Along each axis on which it is as far as that velocity carries the
+    /// body, but for rounding, nothing has pushed the body there, and it glides: with the very bits of one that no
+    /// solver has moved. Elsewhere the solver's place holds, and the remainder stays what it was.
+    pub(super) fn follow(&mut self, at: Vec2, velocity_mps: Vec2, tick_s: f32) {
+        let from = *self;
+        self.velocity_mps = velocity_mps;
+        self.glide(tick_s);
+        let way_m = velocity_mps * tick_s;
+        let rounding_m = (from.at.abs().max(at.abs()) + way_m.abs()) * (4.0 * f32::EPSILON);
+        let pushed = (at - from.at - way_m).abs().cmpgt(rounding_m);
+        self.at = Vec2::select(pushed, at, self.at);
+        self.remainder_m = Vec2::select(pushed, from.remainder_m, self.remainder_m);
     }
 
     /// Turns for one tick. The heading is ours: nothing physical turns a UAV.

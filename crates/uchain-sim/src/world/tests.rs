@@ -82,25 +82,45 @@ fn a_uav_on_the_ground_neither_moves_nor_blocks() {
 }
 
 #[test]
-fn a_free_body_glides_with_the_very_bits_of_rapier() {
+fn a_free_body_that_went_through_rapier_has_the_very_bits_of_one_that_glides() {
     let mut random = Seed(3).stream(0, Source::Start);
-    for _ in 0..200 {
-        let mut physics = PhysicsWorld::new();
-        physics.gravity = Vec2::ZERO;
-        physics.integration_parameters.dt = TICK_S;
-        let at = Vec2::new(20.0 * random.normal(), 20.0 * random.normal());
-        let body = RigidBodyBuilder::dynamic().lock_rotations().can_sleep(false).translation(at);
-        let (handle, _) = physics.insert(body, ColliderBuilder::ball(0.06));
-        let mut ours = Body::new(at, 0.0);
-        for _ in 0..20 {
-            ours.velocity_mps = Vec2::new(0.3 * random.normal(), 0.3 * random.normal());
-            physics.bodies[handle].set_linvel(ours.velocity_mps, true);
-            physics.step();
-            ours.glide(TICK_S);
-            assert_eq!(physics.bodies[handle].translation().to_array(), ours.at.to_array());
-            assert_eq!(physics.bodies[handle].linvel().to_array(), ours.velocity_mps.to_array());
+    for far_m in [0.0, 10.0, 1e3, 1e5] {
+        let mut moved_otherwise = 0;
+        for _ in 0..200 {
+            let mut physics = PhysicsWorld::new();
+            physics.gravity = Vec2::ZERO;
+            physics.integration_parameters.dt = TICK_S;
+            let at = Vec2::new(far_m * random.normal(), far_m * random.normal());
+            let body = RigidBodyBuilder::dynamic().lock_rotations().can_sleep(false).translation(at);
+            let (handle, _) = physics.insert(body, ColliderBuilder::ball(0.06));
+            let (mut ours, mut through) = (Body::new(at, 0.0), Body::new(at, 0.0));
+            for _ in 0..20 {
+                ours.velocity_mps = Vec2::new(0.3 * random.normal(), 0.3 * random.normal());
+                physics.bodies[handle].set_translation(through.at, true);
+                physics.bodies[handle].set_linvel(ours.velocity_mps, true);
+                physics.step();
+                ours.glide(TICK_S);
+                let there = physics.bodies[handle].translation();
+                through.follow(there, physics.bodies[handle].linvel(), TICK_S);
+                assert_eq!(through, ours, "{far_m} m");
+                moved_otherwise += u32::from(there != ours.at);
+            }
         }
+        // Rapier's own sum is another one: without `follow` the bits would differ.
+        assert!(moved_otherwise > 100, "{far_m} m: {moved_otherwise}");
     }
+}
+
+#[test]
+fn what_pushes_a_body_along_one_axis_leaves_its_way_along_the_other() {
+    let (at, velocity_mps) = (Vec2::new(9e4, -7.0), Vec2::new(0.1, 0.0));
+    let mut body = Body::new(at, 0.0);
+    for _ in 0..1000 {
+        // A plain sum stands still along x, and is pushed along y.
+        body.follow(Vec2::new(body.at.x, body.at.y + 0.001), velocity_mps, TICK_S);
+    }
+    assert!((body.at.x - at.x - 5.0).abs() < 0.005, "{}", body.at.x - at.x);
+    assert!((body.at.y - at.y - 1.0).abs() < 1e-3, "{}", body.at.y);
 }
 
 #[test]

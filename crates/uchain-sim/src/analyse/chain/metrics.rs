@@ -6,6 +6,7 @@ use glam::Vec2;
 
 use super::{LinkSummary, Summary, head::Head, verdict::Evidence};
 use crate::{
+    analyse::optimum::Yardstick,
     config::Course,
     record::{Frame, LinkFrame, RecordError, Recorder, TICKS_PER_S, spread_db},
 };
@@ -197,14 +198,19 @@ impl<'a> Metrics<'a> {
         self.at_the_end.push_back(kept);
     }
 
+    /// The optimum, for a head that flies: drawing its chart takes longer than many a run.
+    fn yardstick(&self) -> Option<Yardstick<'_>> {
+        if self.head_flies() { self.course.yardstick() } else { None }
+    }
+
     fn relays_needed(&self) -> Option<usize> {
-        let yardstick = self.course.yardstick().filter(|_| self.head_flies())?;
+        let yardstick = self.yardstick()?;
         let depth_m = yardstick.tunnel().depth_m(self.at_the_end.back()?.head);
         yardstick.links_needed(depth_m).map(|links| links - 1)
     }
 
     fn bottleneck_gap_db(&self) -> Option<f32> {
-        let yardstick = self.course.yardstick().filter(|_| self.head_flies())?;
+        let yardstick = self.yardstick()?;
         let mut best_db = BTreeMap::new();
         let gaps = self.at_the_end.iter().filter_map(|Instant { links, head, .. }| {
             let worst_db = links.iter().map(|link| link.true_db).max_by(f32::total_cmp)?;

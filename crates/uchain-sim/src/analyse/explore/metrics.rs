@@ -6,7 +6,7 @@ use super::{Coverage, ExploreSummary, gaps::Gaps};
 use crate::{
     analyse::{Outcome, Verdict},
     config::Site,
-    record::{ExploreFrame, RecordError, Recorder, RobotFrame, Stopped, TICKS_PER_S},
+    record::{ExploreFrame, RecordError, Recorder, RobotFrame, Stopped, TICKS_PER_S, Way},
 };
 
 /// Watches an exploration and sums it up. Memory: one entry per cell of the ground, and one per round with new nodes.
@@ -30,11 +30,9 @@ pub struct ExploreMetrics<'a> {
 /// What one robot has flown.
 #[derive(Debug, Clone, Copy)]
 struct Tally {
-    at: DVec3,
+    way: Way,
     moves: u32,
     holds: u32,
-    distance_m: f64,
-    distance_3d_m: f64,
     wall_contacts: u32,
     robot_contacts: u32,
     level_passes: u32,
@@ -79,7 +77,7 @@ impl<'a> ExploreMetrics<'a> {
         let mut unseen = self.coverage.unseen(&self.site.map, ground);
         let unseen_m2 = unseen.iter().map(|piece| piece.area_m2).sum();
         unseen.truncate(ExploreSummary::UNSEEN_MAX);
-        let distance_m: Vec<f64> = self.robots.iter().map(|robot| robot.distance_m).collect();
+        let distance_m: Vec<f64> = self.robots.iter().map(|robot| robot.way.over_ground_m()).collect();
         let longest_m = distance_m.iter().copied().fold(0.0, f64::max);
         let shortest_m = distance_m.iter().copied().fold(f64::INFINITY, f64::min);
         let coverage = self.coverage.share(ground);
@@ -104,7 +102,7 @@ impl<'a> ExploreMetrics<'a> {
             holds: self.robots.iter().map(|robot| robot.holds).collect(),
             balance: (longest_m > 0.0 && distance_m.len() > 1).then(|| shortest_m / longest_m),
             distance_m,
-            distance_3d_m: self.robots.iter().map(|robot| robot.distance_3d_m).collect(),
+            distance_3d_m: self.robots.iter().map(|robot| robot.way.length_m()).collect(),
             mfl_s: self.mfl_ticks as f64 / TICKS_PER_S,
             coverage,
             coverage_t50_s: when(0.5),
@@ -163,29 +161,24 @@ impl<'a> ExploreMetrics<'a> {
 impl Recorder<ExploreFrame> for ExploreMetrics<'_> {
     fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
         let at_rest = |robot: &RobotFrame| Tally {
-            at: place(robot),
+            way: Way::from(place(robot)),
             moves: 0,
             holds: 0,
-            distance_m: 0.0,
-            distance_3d_m: 0.0,
             wall_contacts: 0,
             robot_contacts: 0,
             level_passes: 0,
         };
         if self.robots.is_empty() {
             self.robots = frame.robots.iter().map(at_rest).collect();
-            for (tally, node) in self.robots.iter_mut().zip(&frame.nodes) {
-                tally.at = Vec2::from(node.at_m).as_dvec2().extend(tally.at.z);
+            for ((tally, node), robot) in self.robots.iter_mut().zip(&frame.nodes).zip(&frame.robots) {
+                tally.way = Way::from(Vec2::from(node.at_m).as_dvec2().extend(robot.z_m.into()));
             }
         }
         if frame.decision {
             self.decision(frame);
         }
         for (tally, robot) in self.robots.iter_mut().zip(&frame.robots) {
-            let flown = place(robot) - tally.at;
-            tally.distance_m += flown.truncate().length();
-            tally.distance_3d_m += flown.length();
-            tally.at = place(robot);
+            tally.way.go(place(robot), frame.decision);
             (tally.wall_contacts, tally.robot_contacts) = (robot.wall_contacts, robot.robot_contacts);
             tally.level_passes = robot.level_passes;
         }

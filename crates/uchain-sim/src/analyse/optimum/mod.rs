@@ -5,6 +5,7 @@
 //! binds both to a [`Course`](crate::config::Course).
 
 mod chart;
+mod charts;
 mod level;
 mod refine;
 #[cfg(test)]
@@ -12,6 +13,7 @@ mod tests;
 mod yardstick;
 
 pub use chart::{Chart, MOST_LINKS, MOST_SAMPLES};
+pub(crate) use charts::Charts;
 pub use yardstick::Yardstick;
 
 use uchain_core::bounded;

@@ -1,6 +1,6 @@
 //! The optimum in a course: its tunnel, its radio, its depths.
 
-use super::{Chart, MOST_LINKS, Optimum, links_needed, optimum};
+use super::{Chart, MOST_LINKS, Optimum, charts::ChartKey, links_needed, optimum};
 use crate::{config::Course, map::Tunnel};
 
 /// Distance between the samples of a course's chart (m), in tunnels short enough for [`SAMPLES`] of them.
@@ -27,14 +27,18 @@ impl Course {
         Some(f64::from(self.path_loss.loss_db(&self.map, &a, &b)))
     }
 
-    /// The optimum in this course; `None` without a tunnel of known middle. The first call draws the chart.
+    /// The optimum in this course; `None` without a tunnel of known middle. The first call draws the
+    /// chart, or takes it from a course of the same sweep that differs in other things.
     pub fn yardstick(&self) -> Option<Yardstick<'_>> {
         let tunnel = self.tunnel.as_ref()?;
         let loss_db = |a_m, b_m| self.loss_at_depths_db(a_m, b_m).unwrap_or(f64::NAN);
         let depth_m = tunnel.length_m();
         let detour = self.scenario.radio.detour_db_per_m > 0.0;
         let step_m = STEP_M.max(depth_m / if detour { SAMPLES_WITH_DETOUR } else { SAMPLES });
-        let chart = self.chart.get_or_init(|| Chart::new(loss_db, depth_m, step_m, MOST_LINKS));
+        let chart = self.chart.get_or_init(|| {
+            let key = ChartKey::new(self.map.walls(), tunnel, &self.scenario.radio);
+            self.charts.get(key, || Chart::new(loss_db, depth_m, step_m, MOST_LINKS))
+        });
         Some(Yardstick { course: self, tunnel, chart })
     }
 }

@@ -3,7 +3,7 @@
 mod notes;
 mod place;
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use glam::Vec2;
 
@@ -11,7 +11,7 @@ pub(super) use place::{build, draw, in_rock, outside, read, read_grid, refuse};
 
 use super::{ConfigError, MapConfig, Scenario, Source, check, document::Document};
 use crate::{
-    analyse::optimum::Chart,
+    analyse::optimum::{Chart, Charts},
     map::{CentreLine, Geodesic, Map, Tunnel},
     radio::{Antenna, PathLoss},
     sense::GridRays,
@@ -47,7 +47,9 @@ pub struct Course {
     /// Distances to the walls, as the ToF sensors measure them.
     pub rays: GridRays,
     /// Drawn by the first [`Course::yardstick`], shared by all runs.
-    pub(crate) chart: OnceLock<Chart>,
+    pub(crate) chart: OnceLock<Arc<Chart>>,
+    /// Charts shared with other courses.
+    pub(crate) charts: Arc<Charts>,
 }
 
 impl Course {
@@ -144,7 +146,8 @@ impl Course {
             spawns.push(Spawn { at, heading_rad });
         }
         let rays = GridRays::new(&map, scenario.tof.range_m);
-        Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, rays, chart: OnceLock::new() })
+        let (chart, charts) = (OnceLock::new(), Arc::default());
+        Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, rays, chart, charts })
     }
 
     /// How deep in the tunnel a place lies (m), negative behind the base; `None` where the tunnel's middle is not

@@ -27,6 +27,8 @@ pub(super) struct Airframe {
 pub(super) struct State {
     /// Place (m).
     pub(super) at_m: Vec3,
+    /// What `at_m` leaves of the place (m).
+    pub(super) remainder_m: Vec3,
     pub(super) velocity_mps: Vec3,
     /// Turns the body's axes into the world's.
     pub(super) attitude: Quat,
@@ -87,6 +89,7 @@ impl State {
         let (sin, cos) = libm::sincosf(heading_rad / 2.0);
         Self {
             at_m: Vec3::ZERO,
+            remainder_m: Vec3::ZERO,
             velocity_mps: Vec3::ZERO,
             attitude: Quat::from_xyzw(0.0, 0.0, sin, cos),
             rates_radps: Vec3::ZERO,
@@ -104,11 +107,19 @@ impl State {
         let lift = self.up() * (lift_n / airframe.mass_kg);
         let before_mps = self.velocity_mps;
         self.velocity_mps += (lift - Vec3::Z * GRAVITY_MPS2) * step_s;
-        self.at_m += (before_mps + self.velocity_mps) * (step_s / 2.0);
+        self.move_by((before_mps + self.velocity_mps) * (step_s / 2.0));
         let after = self.rates_radps + turn(middle) * step_s;
         self.rates_radps = after.clamp_length_max(SPIN_MAX_RADPS);
         let spin = Quat::from_xyzw(middle.x, middle.y, middle.z, 0.0);
         self.attitude = (self.attitude + self.attitude * spin * (step_s / 2.0)).normalize();
+    }
+
+    /// The sum is compensated, as that of a chain's bodies: a step is less than the spacing of `f32` on a long way.
+    pub(super) fn move_by(&mut self, way_m: Vec3) {
+        let way_m = way_m + self.remainder_m;
+        let at_m = self.at_m + way_m;
+        self.remainder_m = way_m - (at_m - self.at_m);
+        self.at_m = at_m;
     }
 
     /// The body's z axis in the world.

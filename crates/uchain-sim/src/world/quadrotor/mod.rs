@@ -56,7 +56,7 @@ impl Quadrotor {
 
 impl Vehicle for Quadrotor {
     fn fly_to(&mut self, to: Waypoint) {
-        self.state.at_m += (self.to.at - to.at).extend(self.to.z_m - to.z_m);
+        self.state.move_by((self.to.at - to.at).extend(self.to.z_m - to.z_m));
         self.to = to;
     }
 

@@ -180,7 +180,7 @@ proptest! {
         for _ in 0..4_000 {
             body.advance();
         }
-        let State { at_m, velocity_mps, attitude, rates_radps } = body.state;
+        let State { at_m, velocity_mps, attitude, rates_radps, .. } = body.state;
         prop_assert!(at_m.is_finite() && velocity_mps.is_finite() && rates_radps.is_finite());
         prop_assert!((attitude.length() - 1.0).abs() < 1e-4, "{attitude}");
     }

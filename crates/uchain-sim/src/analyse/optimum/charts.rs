@@ -1,0 +1,128 @@
+//! Charts that several courses share: most variants of a sweep leave tunnel and losses alone.
+
+use std::{
+    collections::VecDeque,
+    sync::{Arc, Mutex, OnceLock, PoisonError},
+};
+
+use super::Chart;
+use crate::{
+    map::{Segment, Tunnel},
+    radio::PathLossParams,
+};
+
+/// Charts kept, each up to 5 MB.
+const KEPT: usize = 16;
+
+/// All that a chart depends on: walls, the way between them, and losses without noise.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ChartKey {
+    walls: Vec<Segment>,
+    tunnel: Tunnel,
+    radio: PathLossParams,
+}
+
+impl ChartKey {
+    pub(super) fn new(walls: &[Segment], tunnel: &Tunnel, radio: &PathLossParams) -> Self {
+        let radio = PathLossParams { sigma_db: 0.0, ..radio.clone() };
+        Self { walls: walls.to_vec(), tunnel: tunnel.clone(), radio }
+    }
+}
+
+/// A chart, as soon as somebody has drawn it.
+type Place = Arc<OnceLock<Arc<Chart>>>;
+
+/// The last few charts.
+#[derive(Debug, Default)]
+pub(crate) struct Charts {
+    kept: Mutex<VecDeque<(ChartKey, Place)>>,
+}
+
+impl Charts {
+    /// The chart of a key, drawn by the first thread that asks for it; others that want the same one wait.
+    pub(super) fn get(&self, key: ChartKey, draw: impl FnOnce() -> Chart) -> Arc<Chart> {
+        self.place(key).get_or_init(|| Arc::new(draw())).clone()
+    }
+
+    fn place(&self, key: ChartKey) -> Place {
+        // Nobody panics while holding the lock; were it so, what is kept would still be whole.
+        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = kept.iter().position(|(known, _)| *known == key);
+        // The one asked for last goes to the end, so that the one nobody asks for is the first to go.
+        if let Some(entry) = known.and_then(|index| kept.remove(index)) {
+            let place = entry.1.clone();
+            kept.push_back(entry);
+            return place;
+        }
+        if kept.len() >= KEPT {
+            kept.pop_front();
+        }
+        let place = Place::default();
+        kept.push_back((key, place.clone()));
+        place
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::config::{Course, builtin};
+
+    fn corner(charts: &Arc<Charts>, sets: &[&str]) -> Course {
+        let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
+        Course { charts: charts.clone(), ..Course::read(&builtin("corner").unwrap(), &sets).unwrap() }
+    }
+
+    fn are_one(a: &Course, b: &Course) -> bool {
+        std::ptr::eq(a.yardstick().unwrap().chart(), b.yardstick().unwrap().chart())
+    }
+
+    #[test]
+    fn courses_of_one_tunnel_and_one_loss_share_a_chart_and_others_do_not() {
+        let charts = Arc::default();
+        let first = corner(&charts, &[]);
+        for same in
+            ["tof.noise_m=0.1", "radio.sigma_db=0.5", "chain.uavs=3", "duration_s=9", "takeoff.s_min_db=50"]
+        {
+            assert!(are_one(&first, &corner(&charts, &[same])), "{same}");
+        }
+        for other in [
+            "radio.alpha_free=3",
+            "radio.alpha_wall=5.5",
+            "radio.reference_m=0.5",
+            "radio.antenna_db=6",
+            "map.corridor.width_m=1.1",
+            "chain.base_m=[1.1, 0.0]",
+            "chain.goal_m=[4.0, -5.0]",
+        ] {
+            let shared = corner(&charts, &[other]);
+            assert!(!are_one(&first, &shared), "{other}");
+            // What is shared is what a course would have drawn by itself.
+            let alone = corner(&Arc::default(), &[other]);
+            assert_eq!(shared.yardstick().unwrap().chart(), alone.yardstick().unwrap().chart(), "{other}");
+        }
+        assert!(!are_one(&first, &corner(&Arc::default(), &[])));
+    }
+
+    #[test]
+    fn no_more_charts_are_kept_than_there_is_room_for_and_the_latest_stay() {
+        let course = corner(&Arc::default(), &[]);
+        let (charts, tunnel) = (Charts::default(), course.tunnel.unwrap());
+        let get = |alpha_free: f32, drawn: &mut usize| {
+            let radio = PathLossParams { alpha_free, ..PathLossParams::default() };
+            charts.get(ChartKey::new(&[], &tunnel, &radio), || {
+                *drawn += 1;
+                Chart::new(|_, _| 1.0, 1.0, 0.5, 1)
+            });
+        };
+        let mut drawn = 0;
+        for round in 1..=3 {
+            (0..=KEPT).for_each(|alpha| get(alpha as f32, &mut drawn));
+            assert_eq!(charts.kept.lock().unwrap().len(), KEPT);
+            // One key too many for all: each has gone when its turn comes again.
+            assert_eq!(drawn, round * (KEPT + 1));
+        }
+        get(KEPT as f32, &mut drawn);
+        assert_eq!(drawn, 3 * (KEPT + 1));
+    }
+}
