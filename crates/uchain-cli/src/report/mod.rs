@@ -110,11 +110,12 @@ fn relays(summary: &Summary) -> String {
     // Without a gap nobody knows the optimum: there is no link, or no middle of the tunnel.
     let Some(gap_db) = summary.bottleneck_gap_db else { return format!("{used} used") };
     let needed = summary.relays_needed.map_or("no number would do".to_owned(), |n| format!("{n} needed"));
-    if gap_db < 0.0 {
+    // As it is printed: 0.0 dB are none.
+    if gap_db <= -0.05 {
         let gap_db = -gap_db;
         return format!(
             "{used} used, {needed}; worst link {gap_db:.1} dB better than the best chain in mid-tunnel"
         );
     }
-    format!("{used} used, {needed}; worst link {gap_db:.1} dB worse than the optimum")
+    format!("{used} used, {needed}; worst link {:.1} dB worse than the optimum", gap_db.max(0.0))
 }
