@@ -98,14 +98,21 @@ fn a_bare_map_is_explored_and_doors_that_are_too_narrow_are_told_of_before() {
     };
     let thin = run("0.1");
     assert_eq!(thin.status.code(), Some(0), "{}", stderr(&thin));
-    let may_miss = "in reach lie in or behind passages narrower than 0.55 m: robots may fly past them unseen";
+    let may_miss = "of 15.7 m2 in reach (50 %) lie in or behind passages narrower than 0.90 m, in 1 place, the narrowest \
+                    0.25 m wide near (3.";
+    let remedy =
+        "stars may not look through: --set explore.sectors=144 --set explore.arc_ends=true sees more\n";
     assert!(
-        stderr(&thin).starts_with("note: 7.9 of 15.7 m2 ") && stderr(&thin).contains(may_miss),
+        stderr(&thin).starts_with("note: 7.8 ")
+            && stderr(&thin).contains(may_miss)
+            && stderr(&thin).contains(remedy),
         "{}",
         stderr(&thin)
     );
     let said: Value = serde_json::from_str(stdout(&thin)).unwrap();
-    assert_eq!((&said["scenario"], &said["outcome"]), (&"two-rooms".into(), &"explored".into()));
+    assert_eq!((&said["scenario"], &said["outcome"]), (&"two-rooms".into(), &"unseen".into()));
+    let words = said["verdict"].as_str().unwrap();
+    assert!(words.contains(" behind passages narrower than 0.90 m, the largest piece 7."), "{words}");
     // As was to be feared.
     assert!(said["coverage"].as_f64().unwrap() < 0.6 && said["shut_off_m2"] == 0.0, "{said}");
     let fat = run("0.15");

@@ -1,6 +1,7 @@
 //! Explorations end at home, with everything seen and nothing touched.
 
 mod invariants;
+mod passages;
 mod paths;
 mod real_maps;
 mod recording;

@@ -52,14 +52,16 @@ impl Report<'_, ExploreSummary> {
         line("distance", &format!("{} m over ground{balance}", metres(&summary.distance_m)));
         line("", &format!("{} m with climbs", metres(&summary.distance_3d_m)));
         line("levels", &format!("{:.1} s on other levels", summary.mfl_s));
-        let [t50, t90, t100] = [summary.coverage_t50_s, summary.coverage_t90_s, summary.coverage_t100_s];
-        line(
-            "seen",
-            &format!(
-                "{:.2} %; half of it by {t50:.0} s, 90 % by {t90:.0} s, all by {t100:.0} s",
-                100.0 * summary.coverage
-            ),
-        );
+        let by = |share: &str, at_s: Option<f64>| match at_s {
+            Some(at_s) => format!("{share} by {at_s:.0} s"),
+            None => format!("{share} never"),
+        };
+        let [t50, t90, t100] = [
+            by("half of the ground", summary.coverage_t50_s),
+            by("90 %", summary.coverage_t90_s),
+            by("all", summary.coverage_t100_s),
+        ];
+        line("seen", &format!("{:.2} %; {t50}, {t90}, {t100}", 100.0 * summary.coverage));
         line("overlap", &format!("{:.1} % seen by more than one robot", 100.0 * summary.overlap));
         for piece in summary.unseen.iter().take(UNSEEN_SHOWN) {
             line("unseen", &format!("{:.3} m2 around ({:.2}, {:.2}) m", piece.area_m2, piece.x_m, piece.y_m));

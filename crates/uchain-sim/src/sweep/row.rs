@@ -36,7 +36,7 @@ const CHAIN: [Field<Summary>; 21] = [
 ];
 
 /// What an exploration came to.
-const EXPLORE: [Field<ExploreSummary>; 33] = [
+const EXPLORE: [Field<ExploreSummary>; 34] = [
     ("strategy", Kind::Text, |s| word(&s.strategy)),
     ("vehicle", Kind::Text, |s| word(&s.vehicle)),
     ("robots", Kind::Count, |s| u32::from(s.robots).into()),
@@ -59,6 +59,7 @@ const EXPLORE: [Field<ExploreSummary>; 33] = [
     ("edges", Kind::Count, |s| s.edges.into()),
     ("hubs_left", Kind::Count, |s| s.hubs_left.into()),
     ("unseen_m2", Kind::Number, |s| s.unseen_m2.into()),
+    ("unseen_behind_m2", Kind::Number, |s| s.unseen_behind_m2.into()),
     ("shut_off_m2", Kind::Number, |s| s.shut_off_m2.into()),
     ("wall_contacts", Kind::Count, |s| s.wall_contacts.into()),
     ("robot_contacts", Kind::Count, |s| s.robot_contacts.into()),

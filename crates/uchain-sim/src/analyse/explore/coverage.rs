@@ -30,6 +30,10 @@ pub struct Unseen {
     pub y_m: f64,
     /// Its area (m²).
     pub area_m2: f64,
+    /// Of its area, what lies in or behind passages narrower than stars surely look through (m²).
+    pub behind_m2: f64,
+    /// How wide the widest way to that is at its narrowest (m); `None` if there is nothing.
+    pub passage_m: Option<f64>,
 }
 
 impl Coverage {
@@ -78,16 +82,21 @@ impl Coverage {
         let mut left: Vec<bool> = (0..self.seen_by.len())
             .map(|index| ground.is_reachable(index) && !self.has_seen(index))
             .collect();
-        let area_m2 = f64::from(ground.cell_m()) * f64::from(ground.cell_m());
+        let cell_m2 = f64::from(ground.cell_m()) * f64::from(ground.cell_m());
         let mut pieces = Vec::new();
         for first in 0..left.len() {
             let (mut open, mut sum, mut count) = (vec![first], glam::DVec2::ZERO, 0_u32);
+            let (mut behind, mut passage_m) = (0_u32, None::<f32>);
             while let Some(index) = open.pop() {
                 if !std::mem::take(&mut left[index]) {
                     continue;
                 }
                 sum += ground.middle_of(index).as_dvec2();
                 count += 1;
+                if let Some(width_m) = ground.passages().width_m(index) {
+                    behind += 1;
+                    passage_m = Some(passage_m.map_or(width_m, |widest_m| widest_m.max(width_m)));
+                }
                 let steps = (-1..=1).flat_map(|x| (-1..=1).map(move |y| IVec2::new(x, y)));
                 open.extend(steps.filter_map(|step| ground.beside(index, step)));
             }
@@ -95,7 +104,8 @@ impl Coverage {
                 let middle = sum / f64::from(count);
                 let [east_m, north_m] = map.offset_m();
                 let (x_m, y_m) = (middle.x + east_m, middle.y + north_m);
-                pieces.push(Unseen { x_m, y_m, area_m2: f64::from(count) * area_m2 });
+                let [area_m2, behind_m2] = [count, behind].map(|cells| f64::from(cells) * cell_m2);
+                pieces.push(Unseen { x_m, y_m, area_m2, behind_m2, passage_m: passage_m.map(f64::from) });
             }
         }
         // The sort is stable: of equal ones the lower comes first.

@@ -3,6 +3,7 @@
 use glam::{IVec2, Vec2};
 use uchain_core::explore::ExploreParams;
 
+use super::{Passages, passages::Width};
 use crate::map::Map;
 
 /// Side of a cell (m), on maps small enough for it.
@@ -14,6 +15,10 @@ const TOUCH_M: f32 = 1e-4;
 
 /// To the four cells beside a cell.
 const STEPS: [IVec2; 4] = [IVec2::X, IVec2::NEG_X, IVec2::Y, IVec2::NEG_Y];
+/// The four lines through a cell and two of its neighbours.
+const LINES: [IVec2; 4] = [IVec2::X, IVec2::Y, IVec2::ONE, IVec2::new(1, -1)];
+/// Places along a side of a cell where its greatest clearance is looked for.
+const SAMPLES: u8 = 5;
 
 /// The reachable free area: the cells whose middles are at least `r_body_m` away from all walls and connected with a
 /// start, side by side, through such cells. Cells are 0.05 m wide, wider on maps of more than 10,000 m².
@@ -28,14 +33,14 @@ pub struct Ground {
     count: usize,
     /// Cells that a robot fits in and a thinner one could reach.
     shut_off: usize,
-    /// Reachable cells in passages, or behind them, that a robot may not see through.
-    narrow: usize,
+    /// What stars may not look through.
+    passages: Passages,
 }
 
 impl Ground {
     /// Walks over a map from all starts.
     pub fn survey(map: &Map, starts: &[Vec2], params: &ExploreParams) -> Self {
-        let (r_body_m, seen_m) = (params.r_body_m, Self::seen_m(params) / 2.0);
+        let r_body_m = params.r_body_m;
         let (low, high) = map.bounds();
         let size = high - low;
         let cell_m = CELL_M.max((size.x * size.y / CELLS_MAX).sqrt());
@@ -48,7 +53,7 @@ impl Ground {
             reachable: vec![false; cells.x as usize * cells.y as usize],
             count: 0,
             shut_off: 0,
-            narrow: 0,
+            passages: Passages::default(),
         };
         let around = |&at: &Vec2| {
             let middle = ground.cell_of(at);
@@ -57,75 +62,53 @@ impl Ground {
         let starts: Vec<IVec2> = starts.iter().flat_map(around).collect();
         // Where a point could go, and where of that the robot fits; then where the robot gets to.
         let mut fits = vec![false; ground.reachable.len()];
-        let mut wide = fits.clone();
+        let mut clearances_m = vec![0.0; fits.len()];
         let mut fitting = 0;
         ground.flood(starts.clone(), |ground, index| {
             let at = ground.middle_of(index);
             let free = !map.in_rock(at);
             let clearance_m = if free { map.clearance_m(at) } else { -1.0 };
             fits[index] = clearance_m >= r_body_m - TOUCH_M;
-            wide[index] = clearance_m >= seen_m;
+            clearances_m[index] = clearance_m;
             fitting += usize::from(fits[index]);
             free
         });
-        let reached = ground.flood(starts, |_, index| fits[index]);
+        let reached = ground.flood(starts.clone(), |_, index| fits[index]);
         ground.count = reached.iter().filter(|&&reached| reached).count();
         ground.shut_off = fitting - ground.count;
         ground.reachable = reached;
-        ground.narrow = ground.count - ground.beside_the_wide(&wide, seen_m - r_body_m);
+        let starts = starts.into_iter().filter_map(|cell| ground.index_of(cell));
+        let starts: Vec<usize> = starts.filter(|&index| ground.reachable[index]).collect();
+        ground.sharpen(map, &mut clearances_m);
+        ground.passages = Passages::survey(&ground, &clearances_m, &starts, &Width::seen(params));
         ground
     }
 
-    /// Width from which on passages are surely seen (m): where a body and a whole sector of a star, at its end, fit
-    /// beside each other.
-    pub fn seen_m(params: &ExploreParams) -> f32 {
-        2.0 * params.r_body_m + core::f32::consts::TAU * params.r_s_m / f32::from(params.sectors)
-    }
-
-    /// How many cells are reachable that lie in the largest wide part, or beside it no farther than so much.
-    fn beside_the_wide(&self, wide: &[bool], aside_m: f32) -> usize {
-        let mut found = vec![false; wide.len()];
-        let mut largest: Vec<usize> = Vec::new();
-        for first in 0..wide.len() {
-            if found[first] || !wide[first] || !self.reachable[first] {
-                continue;
-            }
-            found[first] = true;
-            let (mut part, mut next) = (vec![first], 0);
-            while let Some(&index) = part.get(next) {
-                next += 1;
-                for beside in STEPS.iter().filter_map(|&step| self.beside(index, step)) {
-                    if !found[beside] && wide[beside] && self.reachable[beside] {
-                        found[beside] = true;
-                        part.push(beside);
-                    }
-                }
-            }
-            if part.len() > largest.len() {
-                largest = part;
+    /// Middles of cells miss the middle line of a hall by up to half a cell. Where clearance is greatest along a line
+    /// of cells it is looked for within the cell as well, so that the widths of passages come out to a centimetre.
+    fn sharpen(&self, map: &Map, clearances_m: &mut [f32]) {
+        let crest = |index: usize| {
+            let below_m =
+                |step| clearances_m[index] - self.beside(index, step).map_or(0.0, |i| clearances_m[i]);
+            // Along a wall clearance neither rises nor falls.
+            let is_top = |step: IVec2| {
+                let [a_m, b_m] = [below_m(step), below_m(-step)];
+                a_m.min(b_m) >= 0.0 && a_m.max(b_m) > 0.01 * self.cell_m
+            };
+            self.reachable[index] && LINES.into_iter().any(is_top)
+        };
+        let crests: Vec<usize> = (0..clearances_m.len()).filter(|&index| crest(index)).collect();
+        let aside = |k: u8| (f32::from(k) / f32::from(SAMPLES - 1) - 0.5) * self.cell_m;
+        for index in crests {
+            let middle = self.middle_of(index);
+            for offset in (0..SAMPLES).flat_map(|i| (0..SAMPLES).map(move |j| Vec2::new(aside(i), aside(j))))
+            {
+                let at = middle + offset;
+                // Of what lies nearer to walls than the middle nothing is kept, and what lies in rock does.
+                let clearance_m = if map.in_rock(at) { 0.0 } else { map.clearance_m(at) };
+                clearances_m[index] = clearances_m[index].max(clearance_m);
             }
         }
-        // Out to the walls again, a ring of cells at a time.
-        found.fill(false);
-        for &index in &largest {
-            found[index] = true;
-        }
-        let (mut count, mut ring) = (largest.len(), largest);
-        for _ in 0..=(aside_m / self.cell_m).ceil() as usize {
-            let mut outer = Vec::new();
-            for index in ring {
-                let around = (-1..=1).flat_map(|x| (-1..=1).map(move |y| IVec2::new(x, y)));
-                for beside in around.filter_map(|step| self.beside(index, step)) {
-                    if !found[beside] && self.reachable[beside] {
-                        found[beside] = true;
-                        outer.push(beside);
-                    }
-                }
-            }
-            count += outer.len();
-            ring = outer;
-        }
-        count
     }
 
     /// The cells that are open and connected with one of `from`, side by side, through such cells.
@@ -149,9 +132,9 @@ impl Ground {
         self.count as f64 * f64::from(self.cell_m) * f64::from(self.cell_m)
     }
 
-    /// Ground in or behind passages narrower than [`Ground::seen_m`], where a frontier may be missed (m²).
-    pub fn narrow_m2(&self) -> f64 {
-        self.narrow as f64 * f64::from(self.cell_m) * f64::from(self.cell_m)
+    /// Passages that stars may not look through, and what lies in and behind them.
+    pub fn passages(&self) -> &Passages {
+        &self.passages
     }
 
     /// Ground that a robot would fit in but cannot reach: the ways there are narrower than it is, and a thinner one

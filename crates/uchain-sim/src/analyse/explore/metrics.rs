@@ -2,12 +2,15 @@
 
 use glam::{DVec3, Vec2};
 
-use super::{Coverage, ExploreSummary, gaps::Gaps};
+use super::{Coverage, ExploreSummary, Unseen, Width, gaps::Gaps, width_but_for_m};
 use crate::{
     analyse::{Outcome, Verdict},
     config::Site,
     record::{ExploreFrame, RecordError, Recorder, RobotFrame, Stopped, TICKS_PER_S, Way},
 };
+
+/// Share of the ground that may be left unseen when it is said what to set (1).
+const LEFT: f64 = 0.005;
 
 /// Watches an exploration and sums it up. Memory: one entry per cell of the ground, and one per round with new nodes.
 #[derive(Debug)]
@@ -76,14 +79,16 @@ impl<'a> ExploreMetrics<'a> {
         let ground = self.site.ground();
         let mut unseen = self.coverage.unseen(&self.site.map, ground);
         let unseen_m2 = unseen.iter().map(|piece| piece.area_m2).sum();
+        let unseen_behind_m2 = unseen.iter().map(|piece| piece.behind_m2).sum();
+        let verdict = self.verdict(self.coverage.share(ground), &unseen);
         unseen.truncate(ExploreSummary::UNSEEN_MAX);
         let distance_m: Vec<f64> = self.robots.iter().map(|robot| robot.way.over_ground_m()).collect();
         let longest_m = distance_m.iter().copied().fold(0.0, f64::max);
         let shortest_m = distance_m.iter().copied().fold(f64::INFINITY, f64::min);
         let coverage = self.coverage.share(ground);
         let when = |share: f64| {
-            let reached = self.curve.iter().find(|(_, seen)| *seen >= share * coverage);
-            reached.map_or(self.time_s, |(time_s, _)| *time_s)
+            let reached = self.curve.iter().find(|(_, seen)| *seen >= share);
+            reached.map(|(time_s, _)| *time_s)
         };
         let mut gaps = self.gaps.gaps();
         gaps.truncate(ExploreSummary::GAPS_MAX);
@@ -95,7 +100,7 @@ impl<'a> ExploreMetrics<'a> {
             robots: scenario.team.robots,
             vehicle: scenario.team.vehicle,
             stopped: self.stopped,
-            verdict: self.verdict(coverage),
+            verdict,
             sim_s: self.time_s,
             iterations: self.rounds,
             moves: self.robots.iter().map(|robot| robot.moves).collect(),
@@ -113,6 +118,7 @@ impl<'a> ExploreMetrics<'a> {
             edges: self.edges,
             hubs_left: self.hubs,
             unseen_m2,
+            unseen_behind_m2,
             unseen,
             shut_off_m2: ground.shut_off_m2(),
             wall_contacts: self.robots.iter().map(|robot| robot.wall_contacts).sum(),
@@ -126,17 +132,39 @@ impl<'a> ExploreMetrics<'a> {
     }
 
     /// What came, of all that could be reached.
-    fn verdict(&self, seen: f64) -> Verdict {
+    fn verdict(&self, seen: f64, unseen: &[Unseen]) -> Verdict {
         let (hubs, at_s, after_s) = (self.hubs, self.time_s, self.site.scenario.duration_s);
         let found = match self.stopped {
             None => Some(Outcome::Interrupted { at_s, of_s: None }),
-            Some(Stopped::Explored) => None,
+            Some(Stopped::Explored) => self.unseen(seen, unseen),
             Some(Stopped::Unreachable) => Some(Outcome::Unreachable { seen, hubs }),
             Some(Stopped::Full) => Some(Outcome::Full { seen, hubs }),
             Some(Stopped::Stuck) => Some(Outcome::Stuck { seen, at_s }),
             Some(Stopped::Time) => Some(Outcome::TimeUp { seen, after_s }),
         };
         Verdict::new(Outcome::Explored { seen }, found.into_iter().collect(), Vec::new())
+    }
+
+    /// What no frontier leads to; `None` if it is next to nothing.
+    fn unseen(&self, seen: f64, unseen: &[Unseen]) -> Option<Outcome> {
+        let largest = unseen.first().filter(|_| seen < ExploreSummary::EXPLORED)?;
+        let ground = self.site.ground();
+        let width = Width::seen(&self.site.scenario.params);
+        let parts = unseen.iter().filter_map(|piece| Some((piece.passage_m? as f32, piece.behind_m2)));
+        let parts: Vec<(f32, f64)> = parts.collect();
+        let behind_m2: f64 = parts.iter().map(|(_, behind_m2)| behind_m2).sum();
+        let remedy = match width_but_for_m(parts, LEFT * ground.area_m2()) {
+            Some(width_m) => width.remedy(width_m, ground.area_m2()),
+            None => width.finer(),
+        };
+        Some(Outcome::Unseen {
+            seen,
+            behind: behind_m2 / ground.area_m2(),
+            narrow_m: width.least_m.into(),
+            piece_m: [largest.x_m, largest.y_m],
+            piece_m2: largest.area_m2,
+            remedy,
+        })
     }
 
     fn decision(&mut self, frame: &ExploreFrame) {

@@ -9,7 +9,7 @@ use crate::{analyse::Verdict, config::VehicleKind, record::Stopped};
 /// What one exploration came to. A function of (scenario, seed): nothing here is measured by a clock.
 ///
 /// *Coverage* is the share of the reachable ground ([`Ground`](super::Ground)) within `r_s_m` and in line of sight of
-/// a node. Its times are those at which the stated share *of the final coverage* was reached.
+/// a node. Its times are those at which a share of that ground had been seen.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ExploreSummary {
     /// The scenario's name.
@@ -44,12 +44,12 @@ pub struct ExploreSummary {
     pub mfl_s: f64,
     /// Share of the reachable ground that was seen (1).
     pub coverage: f64,
-    /// When half of what was seen in the end had been seen (s).
-    pub coverage_t50_s: f64,
-    /// When nine tenths of it had been seen (s).
-    pub coverage_t90_s: f64,
-    /// When all of it had been seen (s).
-    pub coverage_t100_s: f64,
+    /// When half of the reachable ground had been seen (s); `None` if that never was.
+    pub coverage_t50_s: Option<f64>,
+    /// When nine tenths of it had been seen (s); `None` if that never was.
+    pub coverage_t90_s: Option<f64>,
+    /// When all of it, every cell, had been seen (s); `None` if that never was, as is common: stars end short of corners.
+    pub coverage_t100_s: Option<f64>,
     /// Share of the seen ground that nodes of more than one robot saw (1).
     pub overlap: f64,
     /// Shortest over longest way over ground of any robot (1); `None` if nobody moved, or there is only one.
@@ -62,6 +62,9 @@ pub struct ExploreSummary {
     pub hubs_left: u32,
     /// Area of the reachable ground that nobody saw (m²).
     pub unseen_m2: f64,
+    /// Of that, what lies in or behind passages narrower than stars surely look through (m²); see
+    /// [`Width`](super::Width).
+    pub unseen_behind_m2: f64,
     /// Its pieces, the largest first; at most [`ExploreSummary::UNSEEN_MAX`].
     pub unseen: Vec<Unseen>,
     /// Free ground that robots of this radius cannot get to, for the ways there are too narrow; it does not count for
@@ -83,6 +86,9 @@ pub struct ExploreSummary {
 }
 
 impl ExploreSummary {
+    /// Share of the reachable ground that has to be seen to call it explored (1).
+    pub const EXPLORED: f64 = 0.99;
+
     /// Most unseen pieces that are listed.
     pub const UNSEEN_MAX: usize = 20;
 

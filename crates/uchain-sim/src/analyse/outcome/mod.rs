@@ -87,12 +87,16 @@ pub enum Outcome {
     Unseen {
         /// Share of the reachable ground that was seen (1).
         seen: f64,
-        /// Share of it that lies unseen behind passages that stars cannot look through (1).
+        /// Share of it that lies unseen in or behind passages that are narrower than stars surely look through (1).
         behind: f64,
-        /// The passage with most behind it, in the frame of the map's file or scenario (m).
-        passage_m: Option<[f64; 2]>,
-        /// What to write behind `--set` to see through it.
-        set: Option<String>,
+        /// Narrower than this (m).
+        narrow_m: f64,
+        /// The middle of the largest piece that was not seen, in the frame of the map's file or scenario (m).
+        piece_m: [f64; 2],
+        /// Its area (m²).
+        piece_m2: f64,
+        /// What to change so that it is seen.
+        remedy: Option<Remedy>,
     },
     /// Exploration: frontiers are left that nobody knows of or finds a way to.
     Unreachable {
@@ -158,6 +162,15 @@ pub enum Break {
         /// For how long (s); `None` if it never heard anything.
         silent_s: Option<f32>,
     },
+}
+
+/// What to change in a scenario so that a team sees more.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Remedy {
+    /// Arguments of the command: `--set explore.sectors=36`.
+    pub sets: String,
+    /// How wide passages then have to be (m); `None` if they were no narrower.
+    pub width_m: Option<f64>,
 }
 
 /// The way of the head: along the tunnel, backward ways taken off.

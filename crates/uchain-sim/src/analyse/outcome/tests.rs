@@ -18,7 +18,7 @@ const SAID: [&str; 17] = [
     "full: 52.0 % seen, all home, 3 nodes with a frontier left and no room for more nodes (explore.nodes_max)",
     "time-up: 52.0 % seen when the time was up, after 600 s (duration_s)",
     "unreachable: 52.0 % seen, all home, and 1 node with a frontier left that nobody finds a way to",
-    "unseen: 52.0 % seen, 48.0 % behind passages that stars cannot look through, such as near (3.50, 2.00) m; try --set explore.sectors=36",
+    "unseen: 52.0 % seen, 46.0 % behind passages narrower than 0.90 m, 2.0 % unseen elsewhere, the largest piece 7.6 m2 around (3.50, 2.00) m: --set explore.sectors=36 looks through 0.90 m",
     "completed: 9.0 of 10.0 m flown; 3 links within 60 dB, the worst 57.8 dB",
     "explored: 52.0 % seen, no frontier left, all home",
 ];
@@ -43,9 +43,11 @@ fn all() -> Vec<Outcome> {
         Outcome::Unreachable { seen, hubs: 1 },
         Outcome::Unseen {
             seen,
-            behind: 0.48,
-            passage_m: Some([3.5, 2.0]),
-            set: Some("explore.sectors=36".to_owned()),
+            behind: 0.46,
+            narrow_m: 0.898,
+            piece_m: [3.5, 2.0],
+            piece_m2: 7.6,
+            remedy: Some(Remedy { sets: "--set explore.sectors=36".to_owned(), width_m: Some(0.898) }),
         },
         Outcome::Completed { way: Some(WAY), links: 3, worst_db: Some(57.83), s_min_db: 60.0 },
         Outcome::Explored { seen },

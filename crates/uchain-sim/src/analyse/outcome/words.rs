@@ -2,7 +2,10 @@
 
 use std::fmt::{Display, Formatter, Result};
 
-use super::{Break, Outcome, Over, Way};
+use super::{Break, Outcome, Over, Remedy, Way};
+
+/// Shares of unseen ground that are worth a word (1).
+const TOLD: f64 = 0.001;
 
 impl Display for Outcome {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
@@ -93,18 +96,7 @@ impl Display for Outcome {
 impl Outcome {
     fn exploration(&self, f: &mut Formatter<'_>) -> Result {
         match self {
-            Self::Unseen { seen, behind, passage_m, set } => {
-                write!(
-                    f,
-                    "{} seen, {} behind passages that stars cannot look through",
-                    percent(*seen),
-                    percent(*behind)
-                )?;
-                if let Some([x_m, y_m]) = passage_m {
-                    write!(f, ", such as near ({x_m:.2}, {y_m:.2}) m")?;
-                }
-                set.iter().try_for_each(|set| write!(f, "; try --set {set}"))
-            }
+            Self::Unseen { .. } => unseen(f, self),
             Self::Unreachable { seen, hubs } => write!(
                 f,
                 "{} seen, all home, and {} with a frontier left that nobody finds a way to",
@@ -129,6 +121,33 @@ impl Outcome {
             }
             Self::Explored { seen } => write!(f, "{} seen, no frontier left, all home", percent(*seen)),
             _ => Ok(()),
+        }
+    }
+}
+
+/// Shares, where, and what to set.
+fn unseen(f: &mut Formatter<'_>, outcome: &Outcome) -> Result {
+    let Outcome::Unseen { seen, behind, narrow_m, piece_m: [x_m, y_m], piece_m2, remedy } = outcome else {
+        return Ok(());
+    };
+
+    write!(f, "{} seen", percent(*seen))?;
+    let elsewhere = (1.0 - seen - behind).max(0.0);
+    if *behind >= TOLD {
+        write!(f, ", {} behind passages narrower than {narrow_m:.2} m", percent(*behind))?;
+    }
+    if elsewhere >= TOLD {
+        write!(f, ", {} unseen elsewhere", percent(elsewhere))?;
+    }
+    write!(f, ", the largest piece {piece_m2:.1} m2 around ({x_m:.2}, {y_m:.2}) m")?;
+    remedy.iter().try_for_each(|remedy| write!(f, ": {remedy}"))
+}
+
+impl Display for Remedy {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self.width_m {
+            Some(width_m) => write!(f, "{} looks through {width_m:.2} m", self.sets),
+            None => write!(f, "{} sees more", self.sets),
         }
     }
 }

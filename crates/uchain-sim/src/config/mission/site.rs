@@ -6,7 +6,7 @@ use glam::Vec2;
 
 use super::{ExploreScenario, starts::Lattice};
 use crate::{
-    analyse::explore::Ground,
+    analyse::explore::{Ground, Width, width_but_for_m},
     config::{
         ConfigError, MapConfig, Source,
         course::{build, draw, in_rock, outside, read, read_grid, refuse, to_a_micrometre},
@@ -91,7 +91,7 @@ impl Site {
     /// What one should know before the start: another start than asked for, ground that robots of this size cannot reach, or may miss.
     pub fn notes(&self) -> Vec<String> {
         let (ground, params) = (self.ground(), &self.scenario.params);
-        let (reach_m2, shut_off_m2, narrow_m2) = (ground.area_m2(), ground.shut_off_m2(), ground.narrow_m2());
+        let (reach_m2, shut_off_m2) = (ground.area_m2(), ground.shut_off_m2());
         let mut notes: Vec<String> = self.moved.iter().cloned().collect();
         if shut_off_m2 > NOTED * reach_m2 {
             notes.push(format!(
@@ -100,12 +100,27 @@ impl Site {
                 2.0 * params.r_body_m
             ));
         }
-        if narrow_m2 > NOTED * reach_m2 {
+        let passages = ground.passages();
+        let narrow_m2 = passages.area_m2();
+        let pieces = passages.pieces();
+        if let Some(narrowest) = pieces.iter().min_by(|a, b| a.width_m.total_cmp(&b.width_m))
+            && narrow_m2 > NOTED * reach_m2
+        {
+            let [x_m, y_m] = self.map.offset_m();
+            let [x_m, y_m] = [f64::from(narrowest.at.x) + x_m, f64::from(narrowest.at.y) + y_m];
+            let parts = pieces.iter().map(|piece| (piece.width_m, piece.area_m2)).collect();
+            let width = Width::seen(params);
+            let remedy =
+                width_but_for_m(parts, NOTED * reach_m2).and_then(|width_m| width.remedy(width_m, reach_m2));
+            let remedy = remedy.map(|remedy| format!(": {remedy}")).unwrap_or_default();
+            let (places, share) = (pieces.len(), 100.0 * narrow_m2 / reach_m2);
             notes.push(format!(
-                "{narrow_m2:.1} of {reach_m2:.1} m2 in reach lie in or behind passages narrower than {:.2} m: robots may \
-                 fly past them unseen; smaller explore.r_body_m or r_s_m, or more explore.sectors, see through \
-                 narrower ones",
-                Ground::seen_m(params)
+                "{narrow_m2:.1} of {reach_m2:.1} m2 in reach ({share:.0} %) lie in or behind passages narrower than \
+                 {:.2} m, in {places} place{}, the narrowest {:.2} m wide near ({x_m:.2}, {y_m:.2}) m: stars may not look \
+                 through{remedy}",
+                passages.least_m(),
+                if places == 1 { "" } else { "s" },
+                narrowest.width_m,
             ));
         }
         notes

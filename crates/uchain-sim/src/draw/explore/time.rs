@@ -20,8 +20,8 @@ impl Sheet<'_> {
             ("T90", summary.coverage_t90_s),
             ("T100", summary.coverage_t100_s),
         ];
-        // Of an exploration that goes on nobody knows yet.
-        let known = || times.into_iter().filter(|(_, at_s)| at_s.is_finite());
+        // Not every share comes to be seen, and of an exploration that goes on nobody knows yet.
+        let known = || times.into_iter().filter_map(|(name, at_s)| Some((name, at_s?)));
         for (_, at_s) in known() {
             let (x, _) = panel.at(at_s, 0.0);
             rule(scene, (x, panel.top()), (x, panel.bottom()), &GREY, 1.0, Some("4 4"));

@@ -10,7 +10,7 @@ use crate::{
         flights::{Asked, explorations, scenario},
         outcome::shown,
     },
-    record::{ExploreFrame, RecordError, Recorder, Stopped},
+    record::{ExploreFrame, RecordError, Recorder},
     run::{RunError, explore},
     sweep::DesignError,
 };
@@ -45,7 +45,7 @@ fn after(site: &Site, seed: u64, rounds: u32) -> Result<Picture, PaperError> {
         summary.iterations = rounds;
         for share in [&mut summary.coverage_t50_s, &mut summary.coverage_t90_s, &mut summary.coverage_t100_s]
         {
-            *share = f64::NAN;
+            *share = None;
         }
     }
     Ok(explore_picture(site, &history, &survey, &summary)?)
@@ -59,7 +59,7 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
         .flatten()
         .collect();
     let rounds: Vec<f64> = flown.iter().map(|run| run.iterations.into()).collect();
-    let home = flown.iter().filter(|run| run.stopped == Some(Stopped::Explored)).count();
+    let home = flown.iter().filter(|run| run.verdict.outcome().is_success()).count();
     let (low, high) = rounds.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), r| (l.min(*r), h.max(*r)));
     let mut table = Table::new("fig9", &["replicate", "iterations", "distance_mean_m", "coverage"]);
     for (replicate, run) in flown.iter().enumerate() {
