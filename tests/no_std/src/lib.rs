@@ -56,7 +56,8 @@ pub extern "C" fn laws(loss_db: f32, speed_mps: f32, distance_m: f32, backward: 
         filter.loss_db() + filter.variance_db2()
     });
     let tof = Tof { nw_m: distance_m, ne_m: 1.0, sw_m: 1.0, se_m: distance_m };
-    let centering = center(&tof, TOF_RANGE_M, backward, Default::default(), &black_box(CenterParams::default()));
+    let centering =
+        center(&tof, TOF_RANGE_M, backward, Default::default(), &black_box(CenterParams::default()));
     filtered + centering.lateral_mps + equalize(loss_db, distance_m, &black_box(EqualizeParams::default()))
 }
 
