@@ -103,7 +103,7 @@ fn a_bare_map_is_explored_and_doors_that_are_too_narrow_are_told_of_before() {
     let remedy =
         "stars may not look through: --set explore.sectors=144 --set explore.arc_ends=true sees more\n";
     assert!(
-        stderr(&thin).starts_with("note: 7.8 ")
+        stderr(&thin).starts_with("note: 7.9 ")
             && stderr(&thin).contains(may_miss)
             && stderr(&thin).contains(remedy),
         "{}",
