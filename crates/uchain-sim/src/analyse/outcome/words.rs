@@ -23,26 +23,8 @@ impl Display for Outcome {
             Self::NeverFlew => f.write_str("the head never took off"),
             Self::HeadFailed { at_s } => write!(f, "the head failed at {at_s:.2} s"),
             Self::ChainBroken { broken, links, uav, cause } => {
-                write!(f, "the chain was broken at the end, in {broken} of {}: ", counted(*links, "link"))?;
-                let name = if *uav == 0 { "the head".to_owned() } else { format!("UAV {uav}") };
-                match cause {
-                    Break::Loss { loss_db, limit_db } => write!(
-                        f,
-                        "the link of {name} toward the base loses {loss_db:.1} dB, and reception ends at {limit_db} dB"
-                    ),
-                    Break::Silent { is_front: true, silent_s: None } => {
-                        write!(f, "{name} never heard anybody")
-                    }
-                    Break::Silent { is_front: true, silent_s: Some(silent_s) } => {
-                        write!(f, "{name} had not heard its neighbour toward the base for {silent_s:.1} s")
-                    }
-                    Break::Silent { is_front: false, silent_s: None } => {
-                        write!(f, "nobody ever heard {name}")
-                    }
-                    Break::Silent { is_front: false, silent_s: Some(silent_s) } => {
-                        write!(f, "nobody had heard {name} for {silent_s:.1} s")
-                    }
-                }
+                let of = counted(*links, "link");
+                write!(f, "the chain was broken at the end, in {broken} of {of}: {}", cause.words(*uav))
             }
             Self::HeadStuck { way, from_s, stuck_s, at_m: [x_m, y_m] } => write!(
                 f,
@@ -88,6 +70,26 @@ impl Display for Outcome {
                     ),
                     None => f.write_str("no link yet"),
                 }
+            }
+        }
+    }
+}
+
+impl Break {
+    /// What is wrong with the link of a UAV toward the base.
+    fn words(self, uav: usize) -> String {
+        let name = if uav == 0 { "the head".to_owned() } else { format!("UAV {uav}") };
+        match self {
+            Self::Loss { loss_db, limit_db } => format!(
+                "the link of {name} toward the base loses {loss_db:.1} dB, and reception ends at {limit_db} dB"
+            ),
+            Self::Silent { is_front: true, silent_s: None } => format!("{name} never heard anybody"),
+            Self::Silent { is_front: true, silent_s: Some(silent_s) } => {
+                format!("{name} had not heard its neighbour toward the base for {silent_s:.1} s")
+            }
+            Self::Silent { is_front: false, silent_s: None } => format!("nobody ever heard {name}"),
+            Self::Silent { is_front: false, silent_s: Some(silent_s) } => {
+                format!("nobody had heard {name} for {silent_s:.1} s")
             }
         }
     }

@@ -91,7 +91,8 @@ fn every_number_has_a_range_and_it_is_the_readers() {
         };
         for beyond in [low - step(low), high + step(high)] {
             let said = message(beyond);
-            let is_range = said.contains(&format!("must lie in {low}..={high}"));
+            let is_range = said.contains(&format!("must lie in {low}..={high}"))
+                || said.contains(&format!(": expected a whole number, {low} to {high}"));
             let is_other =
                 [": expected a whole number, not negative", "must be a UAV of the chain", "must be later"];
             assert!(
