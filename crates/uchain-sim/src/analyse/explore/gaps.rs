@@ -22,28 +22,35 @@ pub struct Gap {
     pub downwash_s: f64,
 }
 
-/// What rounding may make of distances and of sums of ways (m).
-const ROUNDING_M: f64 = 1e-6;
+/// More than rounding makes of distances and of sums of ways (m).
+const ROUNDING_M: f64 = 1e-5;
 /// Pairs that are asked at once whether one of them is due.
 const AT_ONCE: usize = 16;
 
-/// Watches all pairs. A pair is looked at again once its two have flown far enough to come nearer to each other than they
-/// ever were, or into the downwash: of many robots few pairs are due in a tick.
+/// Watches all pairs. A pair is looked at again once one of its two has climbed or sunk, or both have flown far enough to
+/// come nearer to each other than they ever were, or into the downwash or out of it: of many robots few pairs are due in
+/// a tick, and none whose two rest.
 #[derive(Debug)]
 pub(super) struct Gaps {
     body_m: f64,
     downwash_m: f64,
+    /// Ticks so far.
+    ticks: u64,
     pairs: Vec<Pair>,
     /// By pair, the sum of its two's ways beyond which it is due (m).
     due_m: Vec<f64>,
     /// Per robot, its way over ground so far (m).
     flown_m: Vec<f64>,
+    /// The same, but infinite for those that changed their height in this tick: all their pairs are due.
+    reach_m: Vec<f64>,
     /// Where robots were in the last tick.
     at: Vec<DVec3>,
+    /// Who moved in this tick, lowest index first.
+    movers: Vec<usize>,
     /// Per robot, ticks in anybody's downwash.
     under: Vec<u64>,
-    /// Who is in one now.
-    is_under: Vec<bool>,
+    /// Per robot, how many it has above it now.
+    above: Vec<u32>,
 }
 
 /// The same, while it is counted.
@@ -52,24 +59,46 @@ struct Pair {
     least_m: f64,
     beside_m: f64,
     below_m: f64,
+    /// Ticks in the downwash, but for the stay that lasts.
     ticks: u64,
+    /// Who of the two is in the downwash of the other now.
+    lower: Option<u16>,
+    /// Ticks that had passed when that began.
+    since: u64,
+}
+
+impl Pair {
+    /// Ticks in the downwash, when so many have passed.
+    fn ticks(&self, now: u64) -> u64 {
+        self.ticks + self.lower.map_or(0, |_| now - self.since)
+    }
 }
 
 impl Gaps {
     /// For robots of a radius, with a downwash of a radius (m).
     pub(super) fn new(robots: u16, r_body_m: f32, downwash_m: f32) -> Self {
         let robots = usize::from(robots);
-        let far = Pair { least_m: f64::INFINITY, beside_m: f64::INFINITY, below_m: f64::INFINITY, ticks: 0 };
+        let far = Pair {
+            least_m: f64::INFINITY,
+            beside_m: f64::INFINITY,
+            below_m: f64::INFINITY,
+            ticks: 0,
+            lower: None,
+            since: 0,
+        };
         let pairs = vec![far; robots * robots.saturating_sub(1) / 2];
         Self {
             body_m: 2.0 * f64::from(r_body_m),
             downwash_m: downwash_m.into(),
+            ticks: 0,
             due_m: vec![f64::NEG_INFINITY; pairs.len()],
             pairs,
             flown_m: vec![0.0; robots],
+            reach_m: vec![0.0; robots],
             at: Vec::with_capacity(robots),
+            movers: Vec::with_capacity(robots),
             under: vec![0; robots],
-            is_under: vec![false; robots],
+            above: vec![0; robots],
         }
     }
 
@@ -78,36 +107,63 @@ impl Gaps {
         if robots.len() < self.under.len() {
             return;
         }
-        let place = |robot: &RobotFrame| DVec3::new(robot.x_m.into(), robot.y_m.into(), robot.z_m.into());
-        let before = std::mem::take(&mut self.at);
-        self.at.extend(robots.iter().take(self.under.len()).map(place));
-        for ((flown_m, now), was) in self.flown_m.iter_mut().zip(&self.at).zip(&before) {
-            *flown_m += (now - was).truncate().length();
-        }
-        self.is_under.fill(false);
+        self.go(robots);
         let mut first = 0;
+        let mut moved = 0;
         for j in 0..self.under.len() {
-            self.look_at_pairs_of(j, first);
+            if self.movers.get(moved) == Some(&j) {
+                moved += 1;
+                self.look_at_pairs_of(j, first);
+            } else {
+                for before in 0..moved {
+                    let i = self.movers[before];
+                    if is_due(self.reach_m[i] + self.reach_m[j], self.due_m[first + i]) {
+                        self.look_at(i, j, first + i);
+                    }
+                }
+            }
             first += j;
         }
-        for (under, is_under) in self.under.iter_mut().zip(&self.is_under) {
-            *under += u64::from(*is_under);
+        self.ticks += 1;
+        for (under, &above) in self.under.iter_mut().zip(&self.above) {
+            *under += u64::from(above > 0);
+        }
+    }
+
+    /// Robots are at other places now.
+    fn go(&mut self, robots: &[RobotFrame]) {
+        let place = |robot: &RobotFrame| DVec3::new(robot.x_m.into(), robot.y_m.into(), robot.z_m.into());
+        self.movers.clear();
+        if self.at.is_empty() {
+            self.at.extend(robots.iter().take(self.under.len()).map(place));
+            self.movers.extend(0..self.at.len());
+            return;
+        }
+        for (i, (at, robot)) in self.at.iter_mut().zip(robots).enumerate() {
+            let way = place(robot) - *at;
+            self.reach_m[i] = self.flown_m[i];
+            if way == DVec3::ZERO {
+                continue;
+            }
+            *at = place(robot);
+            self.movers.push(i);
+            self.flown_m[i] += way.truncate().length();
+            self.reach_m[i] = if way.z == 0.0 { self.flown_m[i] } else { f64::INFINITY };
         }
     }
 
     /// The pairs of a robot with those before it, the first of which has this number.
     fn look_at_pairs_of(&mut self, j: usize, first: usize) {
-        let own_m = self.flown_m[j];
+        let own_m = self.reach_m[j];
         for from in (0..j).step_by(AT_ONCE) {
             let upto = (from + AT_ONCE).min(j);
-            let is_due = |(flown_m, due_m): (&f64, &f64)| flown_m + own_m > *due_m;
-            let ways = self.flown_m[from..upto].iter().zip(&self.due_m[first + from..first + upto]);
+            let pairs = self.reach_m[from..upto].iter().zip(&self.due_m[first + from..first + upto]);
             // Without an early exit, several are compared in one step.
-            if !ways.map(is_due).fold(false, |any, due| any | due) {
+            if !pairs.map(|(m, due_m)| is_due(m + own_m, *due_m)).fold(false, |any, due| any | due) {
                 continue;
             }
             for i in from..upto {
-                if is_due((&self.flown_m[i], &self.due_m[first + i])) {
+                if is_due(self.reach_m[i] + own_m, self.due_m[first + i]) {
                     self.look_at(i, j, first + i);
                 }
             }
@@ -118,20 +174,35 @@ impl Gaps {
         let (way, pair) = (self.at[j] - self.at[i], &mut self.pairs[index]);
         let (over_m, up_m) = (way.truncate().length(), way.z.abs());
         pair.least_m = pair.least_m.min(way.length());
-        if up_m <= self.body_m {
+        let beside = up_m <= self.body_m;
+        let mut lower = None;
+        if beside {
             pair.beside_m = pair.beside_m.min(over_m);
         } else if over_m <= self.downwash_m {
             pair.below_m = pair.below_m.min(up_m);
-            pair.ticks += 1;
-            self.is_under[if way.z > 0.0 { i } else { j }] = true;
+            lower = Some(if way.z > 0.0 { i } else { j } as u16);
         }
-        // Farther apart over ground, nothing of it can change, on whatever levels they are.
-        let least_m = pair.least_m.max(pair.beside_m);
-        self.due_m[index] = if over_m < least_m || over_m <= self.downwash_m {
-            f64::NEG_INFINITY
+        if lower != pair.lower {
+            if let Some(was) = pair.lower {
+                self.above[usize::from(was)] -= 1;
+            }
+            if let Some(is) = lower {
+                self.above[usize::from(is)] += 1;
+            }
+            pair.ticks = pair.ticks(self.ticks);
+            (pair.lower, pair.since) = (lower, self.ticks);
+        }
+        // While both keep their heights: how far they may fly until they can be nearer to each other than ever. Nothing
+        // is nearer than nothing.
+        let until = |m: f64| if m == 0.0 { f64::INFINITY } else { over_m - m };
+        let nearer_m = ((pair.least_m - up_m).max(0.0) * (pair.least_m + up_m)).sqrt();
+        let other_m = if beside { until(pair.beside_m) } else { (over_m - self.downwash_m).abs() };
+        let spare_m = until(nearer_m).min(other_m) - ROUNDING_M;
+        self.due_m[index] = if spare_m > 0.0 {
+            // Short of the infinite reach of one that climbs.
+            (self.flown_m[i] + self.flown_m[j] + spare_m).min(f64::MAX)
         } else {
-            let spare_m = over_m - least_m.max(self.downwash_m) - ROUNDING_M;
-            self.flown_m[i] + self.flown_m[j] + spare_m.max(0.0)
+            f64::NEG_INFINITY
         };
     }
 
@@ -146,7 +217,7 @@ impl Gaps {
                 least_m: pair.least_m,
                 beside_m: known(pair.beside_m),
                 below_m: known(pair.below_m),
-                downwash_s: pair.ticks as f64 / TICKS_PER_S,
+                downwash_s: pair.ticks(self.ticks) as f64 / TICKS_PER_S,
             })
             .collect();
         // The sort is stable: of equal ones the lower comes first.
@@ -158,6 +229,11 @@ impl Gaps {
     pub(super) fn downwash_s(&self) -> Vec<f64> {
         self.under.iter().map(|&ticks| ticks as f64 / TICKS_PER_S).collect()
     }
+}
+
+/// A way that is not a number is beyond all.
+fn is_due(way_m: f64, due_m: f64) -> bool {
+    way_m.partial_cmp(&due_m).is_none_or(|order| order.is_gt())
 }
 
 #[cfg(test)]
@@ -243,8 +319,14 @@ mod tests {
                     for (i, target) in targets.iter_mut().enumerate() {
                         // Some rest for a while.
                         if (i + tick / 30) % 4 != 0 {
-                            *target = place([0.5, 1.0, 1.5][(i + tick) % 3]);
+                            *target = place([0.5, 1.0, 1.5][(i + tick / 30) % 3]);
                         }
+                    }
+                    // Some fly as one, others with a place or a height in common.
+                    if count > 6 && tick % 60 == 0 {
+                        targets[1] = targets[0];
+                        (targets[3].x_m, targets[3].y_m) = (targets[2].x_m, targets[2].y_m);
+                        targets[5].z_m = targets[4].z_m;
                     }
                 }
                 for (robot, target) in robots.iter_mut().zip(&targets) {
