@@ -233,7 +233,7 @@ impl Gaps {
 
 /// A way that is not a number is beyond all.
 fn is_due(way_m: f64, due_m: f64) -> bool {
-    way_m.partial_cmp(&due_m).is_none_or(|order| order.is_gt())
+    way_m.partial_cmp(&due_m).is_none_or(std::cmp::Ordering::is_gt)
 }
 
 #[cfg(test)]

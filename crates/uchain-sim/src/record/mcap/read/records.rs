@@ -239,6 +239,11 @@ impl<R: Read> Records<R> {
             McapError::BadMagic if self.at == 0 => ReadError::NotMcap,
             McapError::RecordTooLarge { len, .. } => ReadError::TooLarge { byte, bytes: len, most },
             McapError::Io(error) => ReadError::Io(error),
+            McapError::BadDataCrc { saved, calculated } | McapError::BadSummaryCrc { saved, calculated } => {
+                let why =
+                    format!("all that is before it has the checksum {calculated:08x}: expected {saved:08x}");
+                ReadError::Damaged { byte, why }
+            }
             error => ReadError::Damaged { byte, why: error.to_string() },
         }
     }
