@@ -4,9 +4,9 @@ use std::{fmt::Write as _, time::Duration};
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use uchain_sim::{
+    clock::{TICKS_PER_S, total_ticks},
     config::{Course, Scenario, Source, builtin},
-    record::TICKS_PER_S,
-    run::{run, total_ticks},
+    run::run,
     sense::{ParryRays, Rays},
     sim::Sim,
 };

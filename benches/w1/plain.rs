@@ -5,7 +5,7 @@ use core::f32::consts::{FRAC_PI_4, TAU};
 use glam::Vec2;
 use rapier2d::prelude::*;
 use uchain_core::chain::{CenterParams, Command, Tof};
-use uchain_sim::{map::Map, record::TICK_S, world::MotionParams};
+use uchain_sim::{clock::TICK_S, map::Map, world::MotionParams};
 
 use super::{RADIUS_M, RANGE_M, Seen, command, spawns};
 

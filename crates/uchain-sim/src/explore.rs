@@ -7,9 +7,10 @@ use glam::Vec2;
 use uchain_core::explore::{Command, Point, Pose, Purpose};
 
 use crate::{
+    clock::{total_ticks, whole_ticks},
     config::{Site, VehicleKind},
     mission::Team,
-    record::{ExploreFrame, NodeFrame, RecordError, Recorder, RobotFrame, Stopped, TICKS_PER_S, whole_ticks},
+    record::{ExploreFrame, NodeFrame, RecordError, Recorder, RobotFrame, Stopped},
     seed::{Seed, Source, Stream},
     sense::Scanner,
     world::{Fleet, PointMass, Quadrotor, Vehicle, Waypoint},
@@ -85,7 +86,7 @@ impl<'a> Exploration<'a> {
             rounds: 0,
             scanning: true,
             ready: None,
-            last_tick: (site.scenario.duration_s * TICKS_PER_S).round() as u64,
+            last_tick: total_ticks(site.scenario.duration_s),
             frame: ExploreFrame {
                 robots: vehicles.iter().map(|body| pending(body.now())).collect(),
                 ..ExploreFrame::default()

@@ -11,6 +11,7 @@
 use uchain_libm as _;
 
 pub mod analyse;
+pub mod clock;
 pub mod config;
 #[cfg(feature = "draw")]
 pub mod draw;

@@ -4,12 +4,12 @@ use std::io::Read;
 
 use crate::{
     analyse::{Comparison, Difference},
+    clock::total_ticks,
     explore::Exploration,
     record::{
         ExploreFrame, RecordError, Recorder,
         mcap::{End, Frames, ReadError, Recordable, Recording},
     },
-    run::total_ticks,
     sim::Sim,
 };
 

@@ -5,9 +5,10 @@ use crate::{
         Digest, Metrics, Summary,
         explore::{ExploreMetrics, ExploreSummary, Survey},
     },
+    clock::total_ticks,
     config::{Course, Site},
     explore::Exploration,
-    record::{ExploreFrame, RecordError, Recorder, TICKS_PER_S},
+    record::{ExploreFrame, RecordError, Recorder},
     sim::Sim,
 };
 
@@ -72,9 +73,4 @@ pub fn explore(
     let mut digest = Digest::default();
     while exploration.step(&mut ((&mut metrics, &mut digest), &mut *recorder))?.is_none() {}
     Ok(metrics.finish(seed, digest.hex()))
-}
-
-/// Ticks of a run of this length.
-pub fn total_ticks(duration_s: f64) -> u64 {
-    (duration_s * TICKS_PER_S).round() as u64
 }

@@ -4,10 +4,11 @@ use glam::Vec2;
 use uchain_core::chain::{Command, Observation};
 
 use crate::{
+    clock::{period_ticks, time_s},
     config::Course,
     map::{Geodesic, Trail},
     mission::ChainMission,
-    record::{Frame, HeadFrame, RecordError, Recorder, TICK_S, TICKS_PER_S, UavFrame},
+    record::{Frame, HeadFrame, RecordError, Recorder, UavFrame},
     seed::{Seed, Source},
     sense::{FlowNoise, GridRays, Rays, TofBeams, TofNoise, read_tof},
     world::World,
@@ -36,11 +37,6 @@ struct Senses<'a, R> {
     tof_ticks: u64,
     tof_noise: Vec<TofNoise>,
     flow: Vec<FlowNoise>,
-}
-
-/// A period as a whole number of ticks, at least one.
-fn ticks(period_s: f32) -> u64 {
-    ((period_s / TICK_S).round() as u64).max(1)
 }
 
 /// Places and headings in which the UAVs wait.
@@ -73,7 +69,7 @@ impl<'a, R: Rays> Sim<'a, R> {
         let senses = Senses {
             rays,
             beams: TofBeams::new(&scenario.tof),
-            tof_ticks: ticks(scenario.tof.period_s),
+            tof_ticks: period_ticks(scenario.tof.period_s),
             tof_noise: robots.clone().map(tof).collect(),
             flow: robots.clone().map(flow).collect(),
         };
@@ -83,7 +79,7 @@ impl<'a, R: Rays> Sim<'a, R> {
             senses,
             from_base: &course.from_base,
             trail: Trail::default(),
-            decision_ticks: ticks(scenario.equalize.decision_s),
+            decision_ticks: period_ticks(scenario.equalize.decision_s),
             tick: 0,
             seen: vec![Observation::default(); robots.len()],
             asked: vec![Command::default(); robots.len()],
@@ -118,7 +114,7 @@ impl<'a, R: Rays> Sim<'a, R> {
 
     /// What every UAV may know at this instant.
     fn sense(&mut self, decision: bool) {
-        let pilot = self.mission.pilot_at(self.tick as f64 / TICKS_PER_S);
+        let pilot = self.mission.pilot_at(time_s(self.tick));
         let ranging = self.tick.is_multiple_of(self.senses.tof_ticks);
         for (i, body) in self.world.bodies().iter().enumerate() {
             let seen = &mut self.seen[i];
@@ -188,7 +184,7 @@ mod tests {
     /// What every UAV saw at this instant, and the frame of the tick that began then.
     fn at(course: &Course, time_s: f64) -> (Vec<Observation>, Frame) {
         let mut sim = Sim::new(course, 1);
-        while sim.tick as f64 / TICKS_PER_S <= time_s {
+        while crate::clock::time_s(sim.tick) <= time_s {
             sim.step(&mut ()).unwrap();
         }
         (sim.seen, sim.frame)

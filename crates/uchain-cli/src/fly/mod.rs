@@ -4,10 +4,11 @@ mod explore;
 
 use uchain_sim::{
     analyse::Summary,
+    clock::total_ticks,
     config::{Course, Mission, Source},
     draw,
     record::Recorder,
-    run::{RunError, run, total_ticks},
+    run::{RunError, run},
 };
 
 use explore::explore;

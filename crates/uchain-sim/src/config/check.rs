@@ -6,10 +6,10 @@ use uchain_core::{
 };
 
 use super::{ConfigError, MapConfig, Scenario, document::Document, keys::join};
-use crate::record::TICKS_PER_S;
+use crate::clock;
 
 /// Length of a tick (s). Every period is a multiple of it.
-pub(super) const TICK_S: f64 = 1.0 / TICKS_PER_S;
+pub(super) const TICK_S: f64 = 1.0 / clock::TICKS_PER_S;
 
 /// Longest run (s): a day.
 pub(super) const DURATION_MAX_S: f64 = 86_400.0;
@@ -121,8 +121,7 @@ impl Check<'_> {
     }
 
     pub(super) fn ticks(&self, key: &str, got_s: f64) -> Result<(), ConfigError> {
-        let ticks = got_s / TICK_S;
-        if (ticks - ticks.round()).abs() <= 1e-4 && ticks > 0.5 {
+        if clock::is_period(got_s) {
             return Ok(());
         }
         Err(self.invalid(key, &got_s, format!("must be a multiple of the tick, {TICK_S} s")))

@@ -6,9 +6,10 @@ use uchain_core::{
 };
 
 use crate::{
+    clock::time_s,
     config::{Course, Scenario},
     radio::{Antenna, Receiver, Side, receiver},
-    record::{LinkFrame, Silence, TICKS_PER_S},
+    record::{LinkFrame, Silence},
     seed::Seed,
     world::World,
 };
@@ -86,7 +87,7 @@ impl<'a> ChainMission<'a> {
     /// Whether a UAV has failed by now.
     fn has_failed(&self, uav: usize, tick: u64) -> bool {
         let fails_s = self.fails_s.get(uav).copied().flatten();
-        fails_s.is_some_and(|fails_s| fails_s <= tick as f64 / TICKS_PER_S)
+        fails_s.is_some_and(|fails_s| fails_s <= time_s(tick))
     }
 
     /// Before anybody senses: who fails at this tick lies on the ground, is seen by nobody, says nothing and hears

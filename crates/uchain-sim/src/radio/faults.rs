@@ -7,7 +7,7 @@ use uchain_core::chain::{Heard, Packet};
 
 use super::{PacketParams, Radio, Receiver, Side};
 use crate::{
-    record::TICKS_PER_S,
+    clock::time_s,
     seed::{Seed, Source, Stream},
 };
 
@@ -134,7 +134,7 @@ struct OneWay {
 impl Receiver for OneWay {
     fn receive(&mut self, tick: u64, side: Side, true_db: f32, packet: Packet) -> Option<Heard> {
         let heard = self.inner.receive(tick, side, true_db, packet);
-        let now_s = tick as f64 / TICKS_PER_S;
+        let now_s = time_s(tick);
         let deaf = self.deaf.iter().any(|deaf| {
             let same_side = (deaf.side == DeafSide::Back) == (side == Side::Back);
             same_side && now_s >= deaf.start_s && deaf.stop_s.is_none_or(|stop_s| now_s < stop_s)

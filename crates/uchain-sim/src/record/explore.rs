@@ -3,7 +3,7 @@
 use serde::Serialize;
 use uchain_core::explore::{Label, NodeId, Purpose, Sector};
 
-use super::{TICK_S, TICKS_PER_S};
+use crate::clock;
 
 /// One robot at one instant. Places are true ones, in the map's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,12 +86,12 @@ pub struct ExploreFrame {
 impl ExploreFrame {
     /// Simulated time at the end of the tick (s).
     pub fn time_s(&self) -> f64 {
-        self.tick as f64 / TICKS_PER_S
+        clock::time_s(self.tick)
     }
 
     /// Simulated time at the start of the tick (s): when robots scanned and decided.
     pub fn decided_s(&self) -> f64 {
-        self.tick.saturating_sub(1) as f64 / TICKS_PER_S
+        clock::start_s(self.tick)
     }
 }
 
@@ -122,9 +122,4 @@ impl Stopped {
             Self::Time => "the time is up (duration_s)",
         }
     }
-}
-
-/// A period as a whole number of ticks, which may be none.
-pub(crate) fn whole_ticks(period_s: f32) -> u64 {
-    (period_s / TICK_S).round() as u64
 }

@@ -9,7 +9,8 @@ mod way;
 
 use uchain_core::chain::Tof;
 
-pub(crate) use explore::whole_ticks;
+use crate::clock;
+
 pub use explore::{ExploreFrame, LabelFrame, NodeFrame, RobotFrame, Stopped};
 pub use moment::Moment;
 pub(crate) use moment::spread_db;
@@ -91,7 +92,7 @@ pub struct HeadFrame {
 /// One instant of a run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Frame {
-    /// Ticks since the start; one tick is [`TICK_S`]. A frame shows the world at the end of its tick; what was
+    /// Ticks since the start; one tick is [`TICK_S`](crate::clock::TICK_S). A frame shows the world at the end of its tick; what was
     /// decided in it was decided at its start, [`Frame::decided_s`].
     pub tick: u64,
     /// Whether radio and laws ran at this tick (positioning rate).
@@ -118,20 +119,15 @@ impl Frame {
     }
 }
 
-/// Ticks of one second. Time is counted in ticks; every rate divides theirs.
-pub const TICKS_PER_S: f64 = 20.0;
-/// Length of one tick (s).
-pub const TICK_S: f32 = 0.05;
-
 impl Frame {
     /// Simulated time at the end of the tick (s).
     pub fn time_s(&self) -> f64 {
-        self.tick as f64 / TICKS_PER_S
+        clock::time_s(self.tick)
     }
 
     /// Simulated time at the start of the tick (s): when its decisions were taken and its losses measured.
     pub fn decided_s(&self) -> f64 {
-        self.tick.saturating_sub(1) as f64 / TICKS_PER_S
+        clock::start_s(self.tick)
     }
 }
 

@@ -8,7 +8,7 @@ use super::{
     gate::{Gate, GateMode},
     motion::{Body, MotionParams},
 };
-use crate::{map::Map, record::TICK_S};
+use crate::{clock::TICK_S, map::Map};
 
 /// How near surfaces must come to count as touching (m); rapier holds them this close.
 const TOUCH_M: f32 = 0.001;

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::{map::Map, record::TICK_S};
+use crate::{clock::TICK_S, map::Map};
 
 /// Overlap of bodies that still counts as none (m): what `f32` makes of distances in a map.
 const TOUCH_M: f32 = 1e-4;

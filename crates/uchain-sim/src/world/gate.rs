@@ -4,7 +4,7 @@
 //! moves; two UAVs share the gap between them. So hardly anybody is looked at in a tick.
 
 use super::{Body, MotionParams, crowd::Crowd};
-use crate::{map::Map, record::TICK_S};
+use crate::{clock::TICK_S, map::Map};
 
 /// Slack of "within reach" over what one tick's motion can close (m), …
 const SLACK_M: f32 = 0.01;

@@ -10,7 +10,7 @@ mod quadrotor;
 use glam::Vec2;
 use uchain_core::chain::Command;
 
-use crate::{map::Map, record::TICK_S};
+use crate::{clock::TICK_S, map::Map};
 use contact::Contacts;
 use crowd::Crowd;
 pub use fleet::{Fleet, PointMass, Touches, Vehicle, Waypoint};

@@ -7,12 +7,12 @@ use std::{fmt::Write as _, io::Read};
 use serde::Serialize;
 use uchain_sim::{
     analyse::{Summary, Timeline},
+    clock::total_ticks,
     draw,
     record::{
         Moment,
         mcap::{AnyRecording, End, Recording},
     },
-    run::total_ticks,
 };
 
 use super::{Inspect, open};

@@ -6,8 +6,9 @@ use glam::Vec2;
 
 use crate::{
     analyse::{Outcome, Way},
+    clock::TICKS_PER_S,
     config::{Course, MapConfig},
-    record::{Frame, HeadFrame, TICKS_PER_S},
+    record::{Frame, HeadFrame},
 };
 
 /// A head is stuck if within this time (s) …

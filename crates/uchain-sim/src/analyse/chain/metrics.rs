@@ -7,8 +7,9 @@ use glam::Vec2;
 use super::{LinkSummary, Summary, head::Head, verdict::Evidence};
 use crate::{
     analyse::optimum::Yardstick,
+    clock::TICKS_PER_S,
     config::Course,
-    record::{Frame, LinkFrame, RecordError, Recorder, TICKS_PER_S, spread_db},
+    record::{Frame, LinkFrame, RecordError, Recorder, spread_db},
 };
 
 /// Losses within this of each other count as converged in an exploration (dB).

@@ -3,8 +3,9 @@
 use super::{LinkSummary, head::Head};
 use crate::{
     analyse::{Break, Outcome, Over, Verdict},
+    clock::TICKS_PER_S,
     config::Course,
-    record::{LinkFrame, TICKS_PER_S},
+    record::LinkFrame,
 };
 
 /// As much the estimate on which a relay takes off may lie off the true loss (dB): its standard deviation is 0.8 dB at

@@ -7,7 +7,7 @@ use std::{collections::BTreeMap, fmt};
 
 use uchain_core::explore::NodeId;
 
-use crate::record::TICKS_PER_S;
+use crate::clock::time_s;
 
 /// Whose value it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -161,7 +161,7 @@ impl Difference {
     /// When, whose and what: `tick 777 (38.85 s), UAV 1, x_m`.
     pub fn place(&self) -> String {
         let Self { tick, whose, field, .. } = self;
-        format!("tick {tick} ({:.2} s), {whose}{field}", *tick as f64 / TICKS_PER_S)
+        format!("tick {tick} ({:.2} s), {whose}{field}", time_s(*tick))
     }
 
     /// How far apart two numbers are; `None` of anything else.

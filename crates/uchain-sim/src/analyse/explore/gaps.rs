@@ -3,7 +3,7 @@
 use glam::DVec3;
 use serde::Serialize;
 
-use crate::record::{RobotFrame, TICKS_PER_S};
+use crate::{clock::time_s, record::RobotFrame};
 
 /// What was least between two robots over time, middle to middle. One is *below* the other if it is lower by more than
 /// two radii; else they are *beside* each other.
@@ -217,7 +217,7 @@ impl Gaps {
                 least_m: pair.least_m,
                 beside_m: known(pair.beside_m),
                 below_m: known(pair.below_m),
-                downwash_s: pair.ticks(self.ticks) as f64 / TICKS_PER_S,
+                downwash_s: time_s(pair.ticks(self.ticks)),
             })
             .collect();
         // The sort is stable: of equal ones the lower comes first.
@@ -227,7 +227,7 @@ impl Gaps {
 
     /// Per robot, how long it was in the downwash of any other one (s).
     pub(super) fn downwash_s(&self) -> Vec<f64> {
-        self.under.iter().map(|&ticks| ticks as f64 / TICKS_PER_S).collect()
+        self.under.iter().map(|&ticks| time_s(ticks)).collect()
     }
 }
 

@@ -5,8 +5,9 @@ use glam::{DVec3, Vec2};
 use super::{Coverage, ExploreSummary, Unseen, Width, gaps::Gaps, width_but_for_m};
 use crate::{
     analyse::{Outcome, Verdict},
+    clock::time_s,
     config::Site,
-    record::{ExploreFrame, RecordError, Recorder, RobotFrame, Stopped, TICKS_PER_S, Way},
+    record::{ExploreFrame, RecordError, Recorder, RobotFrame, Stopped, Way},
 };
 
 /// Share of the ground that may be left unseen when it is said what to set (1).
@@ -108,7 +109,7 @@ impl<'a> ExploreMetrics<'a> {
             balance: (longest_m > 0.0 && distance_m.len() > 1).then(|| shortest_m / longest_m),
             distance_m,
             distance_3d_m: self.robots.iter().map(|robot| robot.way.length_m()).collect(),
-            mfl_s: self.mfl_ticks as f64 / TICKS_PER_S,
+            mfl_s: time_s(self.mfl_ticks),
             coverage,
             coverage_t50_s: when(0.5),
             coverage_t90_s: when(0.9),

@@ -44,10 +44,5 @@ pub use message::Recordable;
 pub use read::{AnyRecording, End, Frames, PlayError, ReadError, Recording};
 pub use write::{ExploreRecorder, McapRecorder};
 
-use crate::record::TICKS_PER_S;
-
-/// Length of a tick (ns).
-const TICK_NS: u64 = 1_000_000_000 / TICKS_PER_S as u64;
-
 /// Topic of `uchain.Frame`.
 const FRAME_TOPIC: &str = "/frame";

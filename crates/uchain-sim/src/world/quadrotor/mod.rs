@@ -9,7 +9,7 @@ mod tests;
 use glam::Vec3;
 
 use super::{Vehicle, Waypoint};
-use crate::record::TICK_S;
+use crate::clock::TICK_S;
 use airframe::{Airframe, State};
 use law::Law;
 pub use params::QuadrotorParams;

@@ -6,7 +6,7 @@ use super::{
     Airframe, Quadrotor, QuadrotorParams, STEP_S, State,
     airframe::{Asked, GRAVITY_MPS2},
 };
-use crate::record::TICK_S;
+use crate::clock::TICK_S;
 
 /// Kim 2021, §7.2 and §8.1.
 fn builds() -> [QuadrotorParams; 2] {

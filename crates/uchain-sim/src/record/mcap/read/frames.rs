@@ -8,9 +8,12 @@ use super::{
     End, ReadError,
     records::{Item, Records},
 };
-use crate::record::{
-    Frame,
-    mcap::{FRAME_TOPIC, Recordable, TICK_NS, schema},
+use crate::{
+    clock::TICK_NS,
+    record::{
+        Frame,
+        mcap::{FRAME_TOPIC, Recordable, schema},
+    },
 };
 
 /// The frames of a recording, in order.

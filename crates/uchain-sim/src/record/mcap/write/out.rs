@@ -15,11 +15,11 @@ use mcap::{
 use prost::Message;
 
 use crate::{
+    clock::TICK_NS,
     map::Map,
     record::{
         RecordError,
         mcap::{
-            TICK_NS,
             about::{self, About},
             schema,
         },

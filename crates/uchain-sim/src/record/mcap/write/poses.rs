@@ -6,8 +6,9 @@ use foxglove::messages::{
 use prost::encoding::message;
 
 use crate::{
+    clock::{TICK_NS, TICKS_PER_S},
     config::Course,
-    record::{Frame, TICKS_PER_S, mcap::TICK_NS},
+    record::Frame,
 };
 
 /// The frame all places are in.
