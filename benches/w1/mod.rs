@@ -5,6 +5,7 @@ pub(crate) mod ours;
 mod plain;
 
 use core::time::Duration;
+use std::sync::Arc;
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use glam::Vec2;
@@ -37,12 +38,12 @@ fn corner(i: usize) -> Vec2 {
     (if i.is_multiple_of(2) { RING_M } else { RING_M - ZIG_ZAG_M }) * Vec2::new(cos, sin)
 }
 
-pub(crate) fn ring() -> Map {
+pub(crate) fn ring() -> Arc<Map> {
     let corners: Vec<Vertex> = (0..CORNERS)
         .map(corner)
         .map(|at| Vertex { x: f64::from(at.x), y: f64::from(at.y), bend_radius_m: 0.0 })
         .collect();
-    corridor(&corners, 2.0, true).expect("the ring does not cross itself").0
+    corridor(&corners, 2.0, true).expect("the ring does not cross itself").0.into()
 }
 
 /// Evenly along the middle, a little to the left and to the right of it in turn; heading along it.

@@ -1,6 +1,6 @@
 //! W1 through the simulator's own rooms.
 
-use std::iter;
+use std::{iter, sync::Arc};
 
 use uchain_core::chain::{CenterParams, Command};
 use uchain_sim::{
@@ -11,8 +11,8 @@ use uchain_sim::{
 
 use super::{RADIUS_M, RANGE_M, Seen, command, spawns};
 
-pub(crate) struct Ours<'a> {
-    world: World<'a>,
+pub(crate) struct Ours {
+    world: World,
     rays: GridRays,
     beams: TofBeams,
     seen: Seen,
@@ -20,10 +20,10 @@ pub(crate) struct Ours<'a> {
     asked: Vec<Command>,
 }
 
-impl<'a> Ours<'a> {
-    pub(crate) fn new(map: &'a Map, count: usize, seen: Seen) -> Self {
+impl Ours {
+    pub(crate) fn new(map: &Arc<Map>, count: usize, seen: Seen) -> Self {
         let motion = MotionParams { radius_m: RADIUS_M, ..MotionParams::default() };
-        let mut world = World::new(map, motion, spawns(count).into_iter());
+        let mut world = World::new(map.clone(), motion, spawns(count).into_iter());
         let asked = vec![Command { airborne: true, ..Command::default() }; count];
         world.act(&asked);
         let tof = TofParams { range_m: RANGE_M, rays: 1, period_s: 0.05, ..TofParams::default() };

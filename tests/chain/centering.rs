@@ -1,6 +1,7 @@
 //! Random passes through sharp corners, bends and straights, by the node that flies.
 
 use core::f32::consts::PI;
+use std::sync::Arc;
 
 use glam::Vec2;
 use uchain_core::{
@@ -74,13 +75,14 @@ fn tunnel(pass: &Pass) -> (Map, CentreLine) {
 
 fn fly(pass: &Pass, law: CenterLaw) -> End {
     let (map, line) = tunnel(pass);
+    let map = Arc::new(map);
     let margin_m = 0.5 * pass.width_m + 0.3;
     let (start, tangent_rad) = line.at(margin_m);
     let along = Vec2::new(libm::cosf(tangent_rad), libm::sinf(tangent_rad));
     // Backward, the tail leads.
     let heading_rad = tangent_rad + pass.askew_rad + if pass.backward { PI } else { 0.0 };
     let spawn = (start + along.perp() * pass.offset_m, heading_rad);
-    let mut world = World::new(&map, MotionParams::default(), [spawn].into_iter());
+    let mut world = World::new(map.clone(), MotionParams::default(), [spawn].into_iter());
     let tof = TofParams::default();
     let (rays, beams) = (GridRays::new(&map, tof.range_m), TofBeams::new(&tof));
     let mut noise = TofNoise::new(Seed(pass.seed).stream(0, Source::Tof), tof);

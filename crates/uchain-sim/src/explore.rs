@@ -24,7 +24,7 @@ type Seen = (Pose, Option<Vec<Option<f32>>>);
 pub struct Exploration<'a> {
     site: &'a Site,
     team: Team,
-    fleet: Fleet<'a>,
+    fleet: Fleet,
     scanner: Scanner,
     /// Noise of where robots believe they are.
     noise: Vec<Stream>,
@@ -91,7 +91,7 @@ impl<'a> Exploration<'a> {
                 robots: vehicles.iter().map(|body| pending(body.now())).collect(),
                 ..ExploreFrame::default()
             },
-            fleet: Fleet::new(&site.map, params.r_body_m, vehicles),
+            fleet: Fleet::new(site.map.clone(), params.r_body_m, vehicles),
             site,
         })
     }

@@ -17,7 +17,7 @@ use crate::{
 /// A chain mission under way.
 #[derive(Debug)]
 pub struct Sim<'a, R = GridRays> {
-    world: World<'a>,
+    world: World,
     mission: ChainMission<'a>,
     senses: Senses<'a, R>,
     from_base: &'a Geodesic,
@@ -47,7 +47,7 @@ fn spawns(course: &Course) -> impl Iterator<Item = (Vec2, f32)> {
 impl<'a> Sim<'a> {
     /// A mission at its first tick.
     pub fn new(course: &'a Course, seed: u64) -> Self {
-        let world = World::new(&course.map, course.scenario.motion.clone(), spawns(course));
+        let world = World::new(course.map.clone(), course.scenario.motion.clone(), spawns(course));
         Self::start(course, seed, &course.rays, world)
     }
 }
@@ -57,11 +57,11 @@ impl<'a, R: Rays> Sim<'a, R> {
     /// [`Sim::new`] in tests and benchmarks. With [`Course::rays`] it has the same bits until something touches; with
     /// [`ParryRays`](crate::sense::ParryRays) it is what the libraries do by themselves.
     pub fn plain(course: &'a Course, seed: u64, rays: &'a R) -> Self {
-        let world = World::ungated(&course.map, course.scenario.motion.clone(), spawns(course));
+        let world = World::ungated(course.map.clone(), course.scenario.motion.clone(), spawns(course));
         Self::start(course, seed, rays, world)
     }
 
-    fn start(course: &'a Course, seed: u64, rays: &'a R, world: World<'a>) -> Self {
+    fn start(course: &'a Course, seed: u64, rays: &'a R, world: World) -> Self {
         let (scenario, seed) = (&course.scenario, Seed(seed));
         let robots = 0..course.spawns.len() as u32;
         let tof = |i| TofNoise::new(seed.stream(i, Source::Tof), scenario.tof.clone());
@@ -92,7 +92,7 @@ impl<'a, R: Rays> Sim<'a, R> {
     }
 
     /// All UAVs and the walls around them.
-    pub fn world(&self) -> &World<'a> {
+    pub fn world(&self) -> &World {
         &self.world
     }
 

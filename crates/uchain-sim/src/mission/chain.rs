@@ -92,7 +92,7 @@ impl<'a> ChainMission<'a> {
 
     /// Before anybody senses: who fails at this tick lies on the ground, is seen by nobody, says nothing and hears
     /// nothing from this very instant on.
-    pub fn fail(&mut self, tick: u64, world: &mut World<'_>) {
+    pub fn fail(&mut self, tick: u64, world: &mut World) {
         let mut flying = std::mem::take(&mut self.flying);
         flying.retain(|&uav| {
             let has_failed = self.has_failed(uav, tick);
@@ -108,7 +108,7 @@ impl<'a> ChainMission<'a> {
     }
 
     /// One exchange of packets: everyone in the air speaks, neighbours and the next UAV in line listen.
-    pub fn exchange(&mut self, tick: u64, world: &World<'_>, seen: &mut [Observation]) {
+    pub fn exchange(&mut self, tick: u64, world: &World, seen: &mut [Observation]) {
         self.said.clear();
         self.said.extend(self.nodes.iter().zip(&*seen).map(|(n, o)| n.say(o.ground_speed_mps)));
         for observation in &mut *seen {

@@ -88,7 +88,7 @@ impl TofBeams {
 }
 
 /// Exact distances of one UAV: walls and the other UAVs in the air.
-pub fn read_tof(rays: &impl Rays, world: &World<'_>, uav: usize, beams: &TofBeams) -> Tof {
+pub fn read_tof(rays: &impl Rays, world: &World, uav: usize, beams: &TofBeams) -> Tof {
     let body = &world.bodies()[uav];
     let others = world.others_near(uav, beams.reach_m(world.radius_m()));
     beams.read(rays, body.at, body.forward(), others, world.radius_m())

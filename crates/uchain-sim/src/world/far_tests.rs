@@ -76,14 +76,16 @@ fn pillars(far_m: f32) -> Map {
 #[test]
 fn with_and_without_a_gate_uavs_have_the_same_bits_far_from_the_middle() {
     for far_m in FAR_M {
-        let map = pillars(far_m);
+        let map = Arc::new(pillars(far_m));
         let spawns = (0..9).map(|i| {
             let corner = Vec2::new(far_m + 1.5 + 2.0 * (i % 3) as f32, far_m + 1.5 + 2.0 * (i / 3) as f32);
             (corner, 0.7 * i as f32)
         });
         let params = MotionParams::default;
-        let mut worlds =
-            [World::new(&map, params(), spawns.clone()), World::ungated(&map, params(), spawns.clone())];
+        let mut worlds = [
+            World::new(map.clone(), params(), spawns.clone()),
+            World::ungated(map.clone(), params(), spawns.clone()),
+        ];
         let start: Vec<Vec2> = spawns.map(|(at, _)| at).collect();
         let asked: Vec<Command> = (0..9)
             .map(|i| Command {

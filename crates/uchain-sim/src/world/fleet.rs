@@ -1,5 +1,7 @@
 //! Robots that fly from place to place, and what they touch.
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
 use crate::{clock::TICK_S, map::Map};
@@ -94,8 +96,8 @@ impl Vehicle for PointMass {
 
 /// All robots of an exploration.
 #[derive(Debug)]
-pub struct Fleet<'a> {
-    map: &'a Map,
+pub struct Fleet {
+    map: Arc<Map>,
     r_body_m: f32,
     vehicles: Vec<Box<dyn Vehicle>>,
     touch: Vec<Touch>,
@@ -130,9 +132,9 @@ pub struct Touches {
     pub passes: u32,
 }
 
-impl<'a> Fleet<'a> {
+impl Fleet {
     /// Robots of a radius in a map.
-    pub fn new(map: &'a Map, r_body_m: f32, vehicles: Vec<Box<dyn Vehicle>>) -> Self {
+    pub fn new(map: Arc<Map>, r_body_m: f32, vehicles: Vec<Box<dyn Vehicle>>) -> Self {
         let touch: Vec<Touch> =
             vehicles.iter().map(|body| Touch { level_m: body.now().z_m, ..Touch::default() }).collect();
         let mut fleet =

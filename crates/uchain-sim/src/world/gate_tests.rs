@@ -35,13 +35,13 @@ fn fly_both(
     ticks: usize,
     mut compare: impl FnMut(usize, &[Body], &[Body]),
 ) {
-    let map = ring();
+    let map = Arc::new(ring());
     let mut random = Seed(seed).stream(0, Source::Start);
     let mut spawns = Vec::new();
     for _ in 0..count {
         spawns.push(free_place(&map, &mut random, &spawns));
     }
-    let world = |mode| World::with_gate(&map, MotionParams::default(), spawns.iter().copied(), mode);
+    let world = |mode| World::with_gate(map.clone(), MotionParams::default(), spawns.iter().copied(), mode);
     let [mut one, mut other] = modes.map(world);
     let mut asked = vec![Command::default(); count];
     for tick in 0..ticks {

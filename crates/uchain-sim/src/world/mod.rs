@@ -7,6 +7,8 @@ mod gate;
 mod motion;
 mod quadrotor;
 
+use std::sync::Arc;
+
 use glam::Vec2;
 use uchain_core::chain::Command;
 
@@ -20,34 +22,34 @@ pub use quadrotor::{Quadrotor, QuadrotorParams};
 
 /// All UAVs of a run and the walls around them.
 #[derive(Debug)]
-pub struct World<'a> {
-    map: &'a Map,
+pub struct World {
+    map: Arc<Map>,
     params: MotionParams,
     bodies: Vec<Body>,
     crowd: Crowd,
     contacts: Contacts,
 }
 
-impl<'a> World<'a> {
+impl World {
     /// UAVs on the ground at these places and headings (m, rad).
-    pub fn new(map: &'a Map, params: MotionParams, spawns: impl Iterator<Item = (Vec2, f32)>) -> Self {
+    pub fn new(map: Arc<Map>, params: MotionParams, spawns: impl Iterator<Item = (Vec2, f32)>) -> Self {
         Self::with_gate(map, params, spawns, GateMode::Near)
     }
 
     /// The same world with every UAV in the air going through rapier at every tick, near something or not: slow,
     /// and the measure of the other.
-    pub fn ungated(map: &'a Map, params: MotionParams, spawns: impl Iterator<Item = (Vec2, f32)>) -> Self {
+    pub fn ungated(map: Arc<Map>, params: MotionParams, spawns: impl Iterator<Item = (Vec2, f32)>) -> Self {
         Self::with_gate(map, params, spawns, GateMode::Open)
     }
 
     fn with_gate(
-        map: &'a Map,
+        map: Arc<Map>,
         params: MotionParams,
         spawns: impl Iterator<Item = (Vec2, f32)>,
         mode: GateMode,
     ) -> Self {
         let bodies: Vec<Body> = spawns.map(|(at, heading_rad)| Body::new(at, heading_rad)).collect();
-        let contacts = Contacts::new(map, &params, bodies.len(), mode);
+        let contacts = Contacts::new(&map, &params, bodies.len(), mode);
         let crowd = Crowd::new(bodies.len(), Gate::reach_m(&params));
         let mut world = Self { map, params, bodies, crowd, contacts };
         world.crowd.sort(&world.bodies);
@@ -55,8 +57,8 @@ impl<'a> World<'a> {
     }
 
     /// The tunnel.
-    pub fn map(&self) -> &'a Map {
-        self.map
+    pub fn map(&self) -> &Arc<Map> {
+        &self.map
     }
 
     /// All UAVs, those on the ground included.
@@ -102,7 +104,7 @@ impl<'a> World<'a> {
 
     /// One tick: free bodies glide, those within reach of a contact go through rapier.
     pub fn advance(&mut self) {
-        self.contacts.advance(self.map, &self.crowd, &mut self.bodies);
+        self.contacts.advance(&self.map, &self.crowd, &mut self.bodies);
         for body in &mut self.bodies {
             body.turn(TICK_S);
         }

@@ -8,12 +8,12 @@ use crate::{
     seed::{Seed, Source},
 };
 
-fn straight(width_m: f64) -> Map {
+fn straight(width_m: f64) -> Arc<Map> {
     let vertex = |x| Vertex { x, y: 0.0, bend_radius_m: 0.0 };
-    corridor(&[vertex(0.0), vertex(10.0)], width_m, false).unwrap().0
+    corridor(&[vertex(0.0), vertex(10.0)], width_m, false).unwrap().0.into()
 }
 
-fn fly(world: &mut World<'_>, asked: &[Command], ticks: usize) {
+fn fly(world: &mut World, asked: &[Command], ticks: usize) {
     for _ in 0..ticks {
         world.act(asked);
         world.advance();
@@ -29,7 +29,7 @@ fn a_uav_flown_into_a_wall_is_stopped_at_its_radius_and_counts_one_contact() {
     let map = straight(1.0);
     for (heading, speed) in [(0.3_f32, 0.3), (1.57, 0.05), (1.57, 0.5), (-0.8, 1.0), (-1.57, 0.3)] {
         let mut world =
-            World::new(&map, MotionParams::default(), [(Vec2::new(2.0, 0.0), heading)].into_iter());
+            World::new(map.clone(), MotionParams::default(), [(Vec2::new(2.0, 0.0), heading)].into_iter());
         for _ in 0..400 {
             fly(&mut world, &[ahead(speed)], 1);
             let gap_mm = (map.clearance_m(world.bodies()[0].at) - 0.06) * 1000.0;
@@ -46,7 +46,7 @@ fn a_uav_flown_into_a_wall_is_stopped_at_its_radius_and_counts_one_contact() {
 fn touching_leaving_and_touching_again_are_two_contacts() {
     let map = straight(1.0);
     let spawn = (Vec2::new(2.0, 0.0), core::f32::consts::FRAC_PI_2);
-    let mut world = World::new(&map, MotionParams::default(), [spawn].into_iter());
+    let mut world = World::new(map.clone(), MotionParams::default(), [spawn].into_iter());
     for _ in 0..2 {
         fly(&mut world, &[ahead(0.3)], 60);
         fly(&mut world, &[ahead(-0.3)], 20);
@@ -59,7 +59,7 @@ fn uavs_cannot_pass_through_one_another() {
     // Too narrow for two abreast.
     let map = straight(0.2);
     let spawns = [(Vec2::new(4.0, 0.0), core::f32::consts::PI), (Vec2::new(2.0, 0.0), 0.0)];
-    let mut world = World::new(&map, MotionParams::default(), spawns.into_iter());
+    let mut world = World::new(map.clone(), MotionParams::default(), spawns.into_iter());
     for _ in 0..400 {
         fly(&mut world, &[ahead(0.3), ahead(0.3)], 1);
         let apart_m = world.bodies()[0].at.distance(world.bodies()[1].at);
@@ -74,7 +74,7 @@ fn uavs_cannot_pass_through_one_another() {
 fn a_uav_on_the_ground_neither_moves_nor_blocks() {
     let map = straight(1.0);
     let spawns = [(Vec2::new(2.0, 0.0), 0.0), (Vec2::new(3.0, 0.0), 0.0)];
-    let mut world = World::new(&map, MotionParams::default(), spawns.into_iter());
+    let mut world = World::new(map.clone(), MotionParams::default(), spawns.into_iter());
     fly(&mut world, &[ahead(0.3), Command { forward_mps: 0.3, ..Command::default() }], 200);
     assert!(world.bodies()[0].at.x > 4.0);
     assert_eq!(world.bodies()[1].at, Vec2::new(3.0, 0.0));
@@ -127,7 +127,7 @@ fn what_pushes_a_body_along_one_axis_leaves_its_way_along_the_other() {
 fn velocity_follows_its_command_with_the_lag_and_within_the_acceleration_limit() {
     let map = straight(3.0);
     let spawn = (Vec2::new(1.0, 0.0), 0.0);
-    let mut world = World::new(&map, MotionParams::default(), [spawn].into_iter());
+    let mut world = World::new(map.clone(), MotionParams::default(), [spawn].into_iter());
     let mut last_mps = 0.0;
     for _ in 0..40 {
         fly(&mut world, &[ahead(1.0)], 1);
@@ -136,4 +136,18 @@ fn velocity_follows_its_command_with_the_lag_and_within_the_acceleration_limit()
         last_mps = now_mps;
     }
     assert!((last_mps - 1.0).abs() < 0.01, "{last_mps}");
+}
+
+#[test]
+fn a_world_owns_its_map_and_flies_on_another_thread() {
+    let (map, spawn) = (straight(1.0), (Vec2::new(1.0, 0.0), 0.0));
+    let mut here = World::new(map.clone(), MotionParams::default(), [spawn].into_iter());
+    let mut there = World::new(map, MotionParams::default(), [spawn].into_iter());
+    let flown = std::thread::spawn(move || {
+        fly(&mut there, &[ahead(0.3)], 40);
+        there.bodies()[0]
+    });
+    fly(&mut here, &[ahead(0.3)], 40);
+    assert_eq!(flown.join().unwrap(), here.bodies()[0]);
+    assert_ne!(here.bodies()[0].at, spawn.0);
 }

@@ -31,8 +31,8 @@ pub struct Spawn {
 pub struct Course {
     /// What was asked for.
     pub scenario: Scenario,
-    /// The tunnel.
-    pub map: Map,
+    /// The tunnel, shared with all that fly in it.
+    pub map: Arc<Map>,
     /// Tunnel distance from the base to anywhere.
     pub from_base: Geodesic,
     /// The base station, in the map's frame (m).
@@ -147,6 +147,7 @@ impl Course {
         }
         let rays = GridRays::new(&map, scenario.tof.range_m);
         let (chart, charts) = (OnceLock::new(), Arc::default());
+        let map = Arc::new(map);
         Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, rays, chart, charts })
     }
 

@@ -1,6 +1,6 @@
 //! An exploration laid out in its map: everything a run needs, shared by many runs.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use glam::Vec2;
 
@@ -23,8 +23,8 @@ const NOTED: f64 = 0.005;
 pub struct Site {
     /// What was asked for.
     pub scenario: ExploreScenario,
-    /// The place.
-    pub map: Map,
+    /// The place, shared with all that fly in it.
+    pub map: Arc<Map>,
     /// Where the robots start, in order, before the seed moves them (m).
     pub spawns: Vec<Vec2>,
     /// Where robots start instead of `start_m`, if that has no room.
@@ -80,7 +80,7 @@ impl Site {
         };
         let spawns = places(&scenario, &map, document)?;
         let moved = moved(&scenario, &map, &spawns);
-        Ok(Self { scenario, map, spawns, moved, ground: OnceLock::new() })
+        Ok(Self { scenario, map: Arc::new(map), spawns, moved, ground: OnceLock::new() })
     }
 
     /// What of the map a robot can reach, in cells.

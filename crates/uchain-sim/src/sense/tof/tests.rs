@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use super::*;
 use crate::{
     map::{Map, Vertex, corridor},
@@ -6,14 +8,14 @@ use crate::{
     world::MotionParams,
 };
 
-fn straight() -> Map {
+fn straight() -> Arc<Map> {
     let vertex = |x| Vertex { x, y: 0.0, bend_radius_m: 0.0 };
-    corridor(&[vertex(0.0), vertex(10.0)], 1.0, false).unwrap().0
+    corridor(&[vertex(0.0), vertex(10.0)], 1.0, false).unwrap().0.into()
 }
 
 /// What UAV 0 reads; the others hover.
-fn read(map: &Map, places: &[(Vec2, f32)], airborne: bool) -> Tof {
-    let mut world = World::new(map, MotionParams::default(), places.iter().copied());
+fn read(map: &Arc<Map>, places: &[(Vec2, f32)], airborne: bool) -> Tof {
+    let mut world = World::new(map.clone(), MotionParams::default(), places.iter().copied());
     let mut asked = vec![uchain_core::chain::Command { airborne, ..Default::default() }; places.len()];
     asked[0].airborne = true;
     world.act(&asked);
@@ -38,7 +40,7 @@ fn a_reading_is_the_shortest_ray_of_its_field_of_view() {
 #[test]
 fn where_nothing_is_within_range_a_reading_is_the_range() {
     let vertex = |x| Vertex { x, y: 0.0, bend_radius_m: 0.0 };
-    let hall = corridor(&[vertex(0.0), vertex(20.0)], 10.0, false).unwrap().0;
+    let hall = corridor(&[vertex(0.0), vertex(20.0)], 10.0, false).unwrap().0.into();
     assert_near(read(&hall, &[(Vec2::new(10.0, 0.0), 0.3)], true), [2.0; 4]);
 }
 

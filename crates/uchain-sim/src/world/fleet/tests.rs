@@ -9,9 +9,9 @@ fn at(x: f32, y: f32, z_m: f32) -> Waypoint {
 }
 
 fn fly(starts: &[Waypoint], ends: &[Waypoint]) -> (u32, Vec<Touches>) {
-    let map = drawn(&[vec![[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]]]).unwrap();
+    let map = Arc::new(drawn(&[vec![[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]]]).unwrap());
     let body = |&start: &Waypoint| Box::new(PointMass::new(start, 0.5, 0.5)) as Box<dyn Vehicle>;
-    let mut fleet = Fleet::new(&map, 0.1, starts.iter().map(body).collect());
+    let mut fleet = Fleet::new(map, 0.1, starts.iter().map(body).collect());
     for (i, &end) in ends.iter().enumerate() {
         fleet.fly_to(i, end);
     }
@@ -86,7 +86,7 @@ impl AllPairs {
 
 #[test]
 fn contacts_are_those_that_all_pairs_in_every_tick_have() {
-    let map = drawn(&[vec![[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]]]).unwrap();
+    let map = Arc::new(drawn(&[vec![[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]]]).unwrap());
     let mut total = (0, 0);
     for seed in 0..6 {
         let mut random = Seed(seed).stream(0, Source::Start);
@@ -98,7 +98,7 @@ fn contacts_are_those_that_all_pairs_in_every_tick_have() {
         };
         let starts: Vec<Waypoint> = (0..count).map(|_| place()).collect();
         let body = |&start: &Waypoint| Box::new(PointMass::new(start, 0.5, 0.5)) as Box<dyn Vehicle>;
-        let mut fleet = Fleet::new(&map, 0.1, starts.iter().map(body).collect());
+        let mut fleet = Fleet::new(map.clone(), 0.1, starts.iter().map(body).collect());
         let mut levels_m: Vec<f32> = starts.iter().map(|start| start.z_m).collect();
         let mut oracle = AllPairs::default();
         let near_m = 2.0 * 0.1 - TOUCH_M;
