@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::{
     bench::Bench,
-    steps::{STEPS, Step},
+    steps::{ON_REQUEST, STEPS, Step},
 };
 
 /// What the caller wants.
@@ -15,6 +15,8 @@ pub(crate) enum Wish {
     Test(Vec<&'static Step>),
     /// These benchmarks.
     Bench(Bench),
+    /// Who imports whom.
+    Rooms,
 }
 
 pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> {
@@ -25,7 +27,8 @@ pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> 
     match args[0].as_str() {
         "test" => test(&args[1..]),
         "bench" => bench(&args[1..]),
-        other => Err(format!("unknown task `{other}`{}", meant(other, &["test", "bench", "help"]))),
+        "rooms" => args.get(1).map_or(Ok(Wish::Rooms), |more| Err(format!("what is `{more}`?"))),
+        other => Err(format!("unknown task `{other}`{}", meant(other, &["test", "bench", "rooms", "help"]))),
     }
 }
 
@@ -50,7 +53,8 @@ fn test(named: &[String]) -> Result<Wish, String> {
         let steps: Vec<&str> = STEPS.iter().map(|step| step.name).collect();
         return Err(format!("unknown step `{unknown}`{}", meant(unknown, &steps)));
     }
-    let wanted = |s: &&Step| named.is_empty() || named.iter().any(|name| s.name == *name);
+    let all = |s: &Step| named.is_empty() && !ON_REQUEST.contains(&s.name);
+    let wanted = |s: &&Step| all(s) || named.iter().any(|name| s.name == *name);
     Ok(Wish::Test(STEPS.iter().filter(wanted).collect()))
 }
 
@@ -64,7 +68,8 @@ fn meant(word: &str, known: &[&str]) -> String {
 pub(crate) fn help() -> String {
     let mut text = String::from(
         "Usage: cargo xtask test [STEP]...\n       \
-                cargo xtask bench [FILTER | --accept]\n\n\
+                cargo xtask bench [FILTER | --accept]\n       \
+                cargo xtask rooms\n\n\
          `test` runs the named steps, or all of them, in this order; the first failure ends it:\n\n",
     );
     for step in STEPS {
@@ -77,7 +82,8 @@ pub(crate) fn help() -> String {
     text.push_str(
         "\n`bench` times everything, or what matches FILTER, and prints one table, ratios to the baselines\n\
          first. Without a filter it then counts instructions under valgrind and compares them with\n\
-         benches/instructions.txt; --accept only counts, and writes that file.\n",
+         benches/instructions.txt; --accept only counts, and writes that file.\n\
+         \n`rooms` prints which module at the top of a crate imports which others.\n",
     );
     text
 }
@@ -91,13 +97,14 @@ mod tests {
             Wish::Help => Ok(vec!["help"]),
             Wish::Test(steps) => Ok(steps.iter().map(|s| s.name).collect()),
             Wish::Bench(_) => Ok(vec!["bench"]),
+            Wish::Rooms => Ok(vec!["rooms"]),
         }
     }
 
     #[test]
     fn named_steps_run_in_the_gates_order_and_no_name_means_all() {
         assert_eq!(names(&["test", "no-std", "clippy"]), Ok(vec!["clippy", "no-std"]));
-        assert_eq!(names(&["test"]).unwrap().len(), STEPS.len());
+        assert_eq!(names(&["test"]).unwrap().len(), STEPS.len() - ON_REQUEST.len());
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod args;
 mod bench;
 mod house;
 mod nm;
+mod rooms;
 mod steps;
 
 use std::{
@@ -26,6 +27,18 @@ fn main() -> ExitCode {
             Ok(()) => ExitCode::SUCCESS,
             Err(error) => {
                 eprintln!("\nbench: {error:#}");
+                ExitCode::FAILURE
+            }
+        },
+        Ok(Wish::Rooms) => match rooms::graphs(&House::find().root.join("crates")) {
+            Ok(graphs) => {
+                for graph in graphs {
+                    print!("{}", graph.table());
+                }
+                ExitCode::SUCCESS
+            }
+            Err(error) => {
+                eprintln!("rooms: {error:#}");
                 ExitCode::FAILURE
             }
         },

@@ -6,6 +6,7 @@ mod libm;
 mod locks;
 mod no_std;
 mod python;
+mod rooms;
 
 use anyhow::Result;
 
@@ -34,10 +35,17 @@ const NO_STD: Proof = Proof("no_std");
 /// Links the simulation without its heavy rooms.
 const LIBM_ONLY: Proof = Proof("libm_only");
 
+/// Steps that run only if they are named.
+pub(crate) const ON_REQUEST: &[&str] = &[
+    // TURN ON: without this line `rooms` runs with all the others.
+    "rooms",
+];
+
 /// All steps, in order.
 pub(crate) const STEPS: &[Step] = &[
     Step { name: "fmt", about: "rustfmt changes nothing", run: cargo::fmt },
     Step { name: "locks", about: "the proofs link what the project links", run: locks::agree },
+    Step { name: "rooms", about: "no room imports one that imports it", run: rooms::have_no_circle },
     Step { name: "clippy", about: "no warning anywhere", run: cargo::clippy },
     Step {
         name: "lean",
