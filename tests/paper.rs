@@ -1,6 +1,6 @@
 use std::{collections::BTreeSet, fmt::Write as _, fs, path::Path};
 
-use uchain_sim::paper::{Flights, ITEMS, Item, Outcome, Verdict, report};
+use uchain_papers::{Flights, ITEMS, Item, Outcome, Verdict, report};
 
 /// Rows of an item that agree or differ, one a line.
 fn verdicts((item, outcome): &(Item, Outcome)) -> String {

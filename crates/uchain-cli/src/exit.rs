@@ -109,7 +109,7 @@ pub(crate) enum Failure {
     #[error("the flights differ")]
     Differ,
     #[error(transparent)]
-    Paper(#[from] uchain_sim::paper::PaperError),
+    Paper(#[from] uchain_papers::PaperError),
     #[error(transparent)]
     Design(DesignError),
     #[error(transparent)]

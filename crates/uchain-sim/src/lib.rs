@@ -19,8 +19,6 @@ pub mod explore;
 pub mod map;
 pub mod mathematics;
 pub mod mission;
-#[cfg(feature = "paper")]
-pub mod paper;
 pub mod radio;
 pub mod record;
 #[cfg(feature = "record")]

@@ -6,7 +6,7 @@ use clap::{
     Args,
     builder::{PossibleValue, PossibleValuesParser},
 };
-use uchain_sim::paper::{Flights, ITEMS, Item, Outcome, Verdict, report, verdict_table};
+use uchain_papers::{Flights, ITEMS, Item, Outcome, Verdict, report, verdict_table};
 
 use crate::{
     args::{Out, Quiet},

@@ -77,9 +77,18 @@ pub fn on_threads<T: Send>(threads: Option<usize>, work: impl FnOnce() -> T + Se
     pool.map(|pool| pool.install(work)).map_err(|cause| PoolError { threads, cause })
 }
 
-/// Does something with every number below `count`, on all processors; results in order.
-#[cfg(feature = "paper")]
-pub(crate) fn each_of<T: Send>(count: u64, work: impl Fn(u64) -> T + Sync + Send) -> Vec<T> {
+/// Does something with every number from 0 to `count` - 1, on the threads of [`on_threads`] or else on all there are;
+/// results in the order of the numbers, whoever did them: a parallel map, for many trials that are no runs of a scenario.
+///
+/// A panic in `work` goes on in the caller.
+///
+/// ```
+/// use uchain_sim::{seed::{Seed, Source}, sweep::parallel_map};
+/// // Each trial draws from a stream of its own, so that no number depends on the number of threads.
+/// let trial = |index| Seed(1).replicate(index).stream(0, Source::Start).uniform();
+/// assert_eq!(parallel_map(3, trial), (0..3).map(trial).collect::<Vec<_>>());
+/// ```
+pub fn parallel_map<T: Send>(count: u64, work: impl Fn(u64) -> T + Sync + Send) -> Vec<T> {
     let count = usize::try_from(count).unwrap_or(usize::MAX);
     (0..count).into_par_iter().map(|index| work(index as u64)).collect()
 }

@@ -29,9 +29,7 @@ use shelf::Shelf;
 
 pub use cell::{Cell, Column, Kind};
 pub use design::{Design, DesignError, DesignText, RUNS_MAX, TABLE_MAX_BYTES, Written};
-#[cfg(feature = "paper")]
-pub(crate) use fly::each_of;
-pub use fly::{Flown, Onlooker, PoolError, fly, on_threads};
+pub use fly::{Flown, Onlooker, PoolError, fly, on_threads, parallel_map};
 
 /// One run of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

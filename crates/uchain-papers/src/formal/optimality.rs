@@ -1,12 +1,13 @@
 //! Eq. 12 against the optimum, for random profiles of loss that keep the theorem's conditions.
 
-use super::{decide, measure, worst_db};
-use crate::{
+use uchain_sim::{
     analyse::optimum::equal_links,
-    paper::{Outcome, Row, SEED},
     seed::{Seed, Source, Stream},
-    sweep::each_of,
+    sweep::parallel_map,
 };
+
+use super::{decide, measure, worst_db};
+use crate::{Outcome, Row, SEED};
 
 /// Random profiles.
 const PROFILES: u64 = 100_000;
@@ -113,7 +114,7 @@ fn trial(index: u64, times: f64, decisions: u32) -> Trial {
 }
 
 pub(super) fn add(outcome: &mut Outcome) {
-    let trials = each_of(PROFILES, |index| trial(index, 1.0, DECISIONS));
+    let trials = parallel_map(PROFILES, |index| trial(index, 1.0, DECISIONS));
     let count = |of: &dyn Fn(&Trial) -> bool| trials.iter().filter(|trial| of(trial)).count();
     let worse = count(&|trial| trial.worse_db > ROUNDING);
     let crossed = count(&|trial| trial.crossed);
@@ -132,7 +133,7 @@ pub(super) fn add(outcome: &mut Outcome) {
         missed == 0,
     ));
     for times in TOO_LONG {
-        let controls = each_of(CONTROLS, |index| trial(index, times, CONTROL_DECISIONS));
+        let controls = parallel_map(CONTROLS, |index| trial(index, times, CONTROL_DECISIONS));
         let worse = controls.iter().filter(|control| control.worse_db > ROUNDING).count();
         outcome.rows.push(Row::fact(
             &format!("control: steps {times} times as long make the worst link worse"),

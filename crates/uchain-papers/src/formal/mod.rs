@@ -6,7 +6,7 @@ mod optimality;
 
 use uchain_core::bounded;
 
-use crate::paper::{Flights, Item, Outcome, PaperError};
+use crate::{Flights, Item, Outcome, PaperError};
 
 pub(super) const FORMAL: Item = Item {
     id: "formal",

@@ -1,14 +1,14 @@
 //! Where the conditions of the proof do not hold: quality that is not monotone, and slopes above k.
 
 use uchain_core::bounded;
+use uchain_sim::{
+    config::Course,
+    seed::{Seed, Source},
+    sweep::{DesignError, parallel_map},
+};
 
 use super::{decide, measure, worst_db};
-use crate::{
-    config::Course,
-    paper::{Outcome, PaperError, Row, SEED, Table, flights::written},
-    seed::{Seed, Source},
-    sweep::{DesignError, each_of},
-};
+use crate::{Outcome, PaperError, Row, SEED, Table, flights::written};
 
 /// Random starts of each case.
 const STARTS: u64 = 100;
@@ -106,7 +106,7 @@ pub(super) fn add(outcome: &mut Outcome) -> Result<(), PaperError> {
         let Some(yardstick) = course.yardstick() else { continue };
         let loss_db = |a_m: f64, b_m: f64| yardstick.loss_db(a_m.max(0.0), b_m);
         let best_db = yardstick.optimum(head_m, LINKS).bottleneck_db;
-        let ends = each_of(STARTS, |start| settle(case, start, best_db, &loss_db));
+        let ends = parallel_map(STARTS, |start| settle(case, start, best_db, &loss_db));
         let near = ends.iter().filter(|end| end.gap_db <= NEAR_DB).count();
         let most = |of: fn(&End) -> f64| ends.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
         let mean_db = ends.iter().map(|end| end.gap_db).sum::<f64>() / ends.len() as f64;
@@ -178,7 +178,7 @@ fn shape(head_m: f64, loss_db: &(impl Fn(f64, f64) -> f64 + Sync)) -> (f64, bool
     /// Rounding of single precision (dB).
     const ROUNDING_DB: f64 = 1e-3;
     let steps = (head_m / STEP_M) as u64;
-    let rows = each_of(steps, |a| {
+    let rows = parallel_map(steps, |a| {
         let a_m = a as f64 * STEP_M;
         let (mut steepest, mut grows) = (0.0_f64, true);
         let mut before_db = loss_db(a_m, a_m);

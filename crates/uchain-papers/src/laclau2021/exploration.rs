@@ -2,20 +2,16 @@
 //! of the signal, 30 runs each, with the same noise, by three readings of the paper.
 
 use uchain_core::chain::CenterParams;
+use uchain_sim::{config::Course, run::RunError, sweep::Run};
 
 use super::watch::{Sample, Watched, spread, watch};
 use crate::{
-    config::Course,
-    paper::{
-        PaperError,
-        flights::{Asked, Shown, chains, scenario},
-    },
-    run::RunError,
-    sweep::Run,
+    PaperError,
+    flights::{Asked, Shown, chains, scenario},
 };
 
 /// The three treatments: their names, and whose signal relays level within which tolerance.
-pub(in crate::paper) const TREATMENTS: [&str; 3] = ["T0", "T5", "K"];
+pub(crate) const TREATMENTS: [&str; 3] = ["T0", "T5", "K"];
 const SETS: [[&str; 2]; 3] = [
     ["link.signal=\"raw\"", "equalize.tolerance_db=0"],
     ["link.signal=\"raw\"", "equalize.tolerance_db=5"],
@@ -66,7 +62,7 @@ const RAW: usize = 1;
 
 /// All runs.
 #[derive(Debug)]
-pub(in crate::paper) struct Exploration {
+pub(crate) struct Exploration {
     /// By reading.
     treated: Vec<Treated>,
     /// K once more, its filter without optic flow (A = 0), by the first reading.
@@ -76,7 +72,7 @@ pub(in crate::paper) struct Exploration {
 }
 
 impl Exploration {
-    pub(in crate::paper) fn fly() -> Result<Self, PaperError> {
+    pub(crate) fn fly() -> Result<Self, PaperError> {
         let treated = READINGS.iter().map(|(_, raw, sets)| treated(*raw, sets)).collect::<Result<_, _>>()?;
         let slowing = format!("center.slow_over_m={}", CenterParams::default().slow_over_m);
         Ok(Self {

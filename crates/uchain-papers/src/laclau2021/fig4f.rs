@@ -1,24 +1,24 @@
 //! Laclau 2021, Fig. 4F: how much relays move once the chain has converged.
 
 use uchain_core::chain::equalize;
+use uchain_sim::{
+    analyse::{Tendency, tends_to_be_less},
+    config::Scenario,
+    draw::figure::{Axes, Figure, Mark},
+    sweep::DesignError,
+};
 
 use super::{
     exploration::{END_S, Exploration, Flight, PRINTED, S_MIN_DB, TREATMENTS, Treated},
     fig4d::SETUP,
 };
 use crate::{
-    analyse::{Tendency, tends_to_be_less},
-    config::Scenario,
-    draw::figure::{Axes, Figure, Mark},
-    paper::{
-        Flights, Item, Outcome, PaperError, Row, Table,
-        flights::scenario,
-        outcome::{cell, is_significant, shown, tendency},
-    },
-    sweep::DesignError,
+    Flights, Item, Outcome, PaperError, Row, Table,
+    flights::scenario,
+    outcome::{cell, is_significant, shown, tendency},
 };
 
-pub(in crate::paper) const FIG4F: Item = Item {
+pub(crate) const FIG4F: Item = Item {
     id: "fig4f",
     title: "spread of positions after convergence (Laclau 2021, Fig. 4F)",
     run: regenerate,

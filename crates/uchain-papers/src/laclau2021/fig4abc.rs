@@ -1,22 +1,22 @@
 //! Laclau 2021, Fig. 4A to C: UAVs at random places of three corridors level their links.
 
 use glam::Vec2;
-
-use super::watch::{Sample, Watched, marks, spread, watch};
-use crate::{
+use uchain_sim::{
     config::{Course, Spawn},
     draw::figure::{Axes, Figure},
-    paper::{
-        Flights, Item, Outcome, PaperError, Row, Table,
-        flights::{Asked, Shown, chains, written},
-        outcome::{cell, shown},
-    },
     run::RunError,
     seed::{Seed, Source as Draws},
     sweep::Run,
 };
 
-pub(in crate::paper) const FIG4ABC: Item = Item {
+use super::watch::{Sample, Watched, marks, spread, watch};
+use crate::{
+    Flights, Item, Outcome, PaperError, Row, Table,
+    flights::{Asked, Shown, chains, written},
+    outcome::{cell, shown},
+};
+
+pub(crate) const FIG4ABC: Item = Item {
     id: "fig4abc",
     title: "convergence from random places (Laclau 2021, Fig. 4A to C)",
     run: regenerate,

@@ -1,5 +1,10 @@
 //! Laclau 2021, Fig. 4D: losses over time under three treatments of the signal, and who launches.
 
+use uchain_sim::{
+    analyse::is_rarer_in_pairs,
+    draw::figure::{Axes, Figure, Mark},
+};
+
 use super::{
     exploration::{
         DURATION_S, END_S, Exploration, Flight, REPLICATES, S_MIN_DB, STOP_S, TREATMENTS, Treated,
@@ -7,15 +12,11 @@ use super::{
     watch::marks,
 };
 use crate::{
-    analyse::is_rarer_in_pairs,
-    draw::figure::{Axes, Figure, Mark},
-    paper::{
-        Flights, Item, Outcome, PaperError, Row, Table,
-        outcome::{cell, is_significant, p_value, shown},
-    },
+    Flights, Item, Outcome, PaperError, Row, Table,
+    outcome::{cell, is_significant, p_value, shown},
 };
 
-pub(in crate::paper) const FIG4D: Item = Item {
+pub(crate) const FIG4D: Item = Item {
     id: "fig4d",
     title: "an exploration under three treatments of the signal (Laclau 2021, Fig. 4D)",
     run: regenerate,

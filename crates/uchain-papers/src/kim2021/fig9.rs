@@ -1,21 +1,22 @@
 //! Kim 2021, Fig. 9: three robots explore an apartment.
 
-use crate::{
+use uchain_sim::{
     analyse::explore::{ExploreHistory, ExploreMetrics},
     config::Site,
     draw::{Picture, explore_picture},
     explore::Exploration,
-    paper::{
-        Flights, Item, Outcome, PaperError, Row, SEED, Table,
-        flights::{Asked, explorations, scenario},
-        outcome::shown,
-    },
     record::{ExploreFrame, RecordError, Recorder},
     run::{RunError, explore},
     sweep::DesignError,
 };
 
-pub(in crate::paper) const FIG9: Item =
+use crate::{
+    Flights, Item, Outcome, PaperError, Row, SEED, Table,
+    flights::{Asked, explorations, scenario},
+    outcome::shown,
+};
+
+pub(crate) const FIG9: Item =
     Item { id: "fig9", title: "three robots explore an apartment (Kim 2021, Fig. 9)", run: regenerate };
 
 /// Iterations after which the paper shows the map; the last picture is the end.

@@ -1,18 +1,19 @@
 //! Kim 2021, Table 1: two quadrotors in the laboratory.
 
-use crate::{
+use uchain_sim::{
     analyse::explore::{ExploreHistory, ExploreSummary, Survey},
     config::Site,
     draw::{
         explore_picture,
         figure::{Axes, Figure, Mark, Stroke},
     },
-    paper::{Flights, Item, Outcome, PaperError, Row, SEED, Table, flights::scenario},
     run::explore,
     sweep::DesignError,
 };
 
-pub(in crate::paper) const TABLE1: Item = Item {
+use crate::{Flights, Item, Outcome, PaperError, Row, SEED, Table, flights::scenario};
+
+pub(crate) const TABLE1: Item = Item {
     id: "table1",
     title: "two quadrotors in the laboratory (Kim 2021, Table 1, Fig. 13, 14 and 17)",
     run: regenerate,

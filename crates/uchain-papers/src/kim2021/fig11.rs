@@ -1,9 +1,9 @@
 //! Kim 2021, Fig. 11: three strategies in corridors.
 
 use super::comparison::{Claim, Comparison, DISTANCE, ITERATIONS, JUDGED};
-use crate::paper::{Flights, Item, Outcome, PaperError};
+use crate::{Flights, Item, Outcome, PaperError};
 
-pub(in crate::paper) const FIG11: Item =
+pub(crate) const FIG11: Item =
     Item { id: "fig11", title: "three strategies in corridors (Kim 2021, Fig. 11)", run: regenerate };
 
 /// Distance saved over `srg`, as published (%).

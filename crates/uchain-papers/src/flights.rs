@@ -2,8 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::{PaperError, SEED, laclau2021::Exploration};
-use crate::{
+use uchain_sim::{
     analyse::Summary,
     config::{Course, Mission, Site, Source, builtin},
     draw::{DrawError, Picture, run_picture},
@@ -11,6 +10,8 @@ use crate::{
     run::RunError,
     sweep::{Design, DesignText, Run, Sweep},
 };
+
+use super::{PaperError, SEED, laclau2021::Exploration};
 
 /// Runs that several items show, flown when the first one asks.
 #[derive(Debug, Default)]
@@ -20,7 +21,7 @@ pub struct Flights {
 
 impl Flights {
     /// The exploration of Laclau 2021, Fig. 4D to F.
-    pub(super) fn exploration(&self) -> Result<&Exploration, PaperError> {
+    pub(crate) fn exploration(&self) -> Result<&Exploration, PaperError> {
         if let Some(flown) = self.exploration.get() {
             return Ok(flown);
         }
@@ -30,38 +31,38 @@ impl Flights {
 }
 
 /// What is flown.
-pub(super) struct Asked<'a> {
-    pub(super) source: Source,
-    pub(super) sets: &'a [&'a str],
-    pub(super) vary: &'a [String],
-    pub(super) replicates: u64,
+pub(crate) struct Asked<'a> {
+    pub(crate) source: Source,
+    pub(crate) sets: &'a [&'a str],
+    pub(crate) vary: &'a [String],
+    pub(crate) replicates: u64,
 }
 
 /// A compiled-in scenario.
-pub(super) fn scenario(name: &str) -> Source {
+pub(crate) fn scenario(name: &str) -> Source {
     // Names are constants; a wrong one is said by whoever reads the empty text.
     builtin(name).unwrap_or_else(|| written(name, String::new()))
 }
 
 /// A scenario of a paper's own.
-pub(super) fn written(name: &str, text: String) -> Source {
+pub(crate) fn written(name: &str, text: String) -> Source {
     Source { label: format!("<paper {name}>"), text, folder: std::path::PathBuf::new() }
 }
 
 /// A run with all that its picture needs.
 #[derive(Debug)]
-pub(super) struct Shown {
+pub(crate) struct Shown {
     course: Course,
     history: History,
     summary: Summary,
 }
 
 impl Shown {
-    pub(super) fn new(course: &Course, history: History, summary: &Summary) -> Self {
+    pub(crate) fn new(course: &Course, history: History, summary: &Summary) -> Self {
         Self { course: course.clone(), history, summary: summary.clone() }
     }
 
-    pub(super) fn picture(&self) -> Result<Picture, DrawError> {
+    pub(crate) fn picture(&self) -> Result<Picture, DrawError> {
         run_picture(&self.course, &self.history, &self.summary)
     }
 }
@@ -96,7 +97,7 @@ fn each<T: Send>(
 }
 
 /// [`each`] run of a chain.
-pub(super) fn chains<T: Send>(
+pub(crate) fn chains<T: Send>(
     asked: Asked<'_>,
     work: impl Fn(&Course, Run) -> Result<T, RunError> + Sync,
 ) -> Result<Vec<Vec<T>>, PaperError> {
@@ -107,7 +108,7 @@ pub(super) fn chains<T: Send>(
 }
 
 /// [`each`] run of an exploration.
-pub(super) fn explorations<T: Send>(
+pub(crate) fn explorations<T: Send>(
     asked: Asked<'_>,
     work: impl Fn(&Site, Run) -> Result<T, RunError> + Sync,
 ) -> Result<Vec<Vec<T>>, PaperError> {

@@ -1,14 +1,15 @@
 //! What the figures need of every decision, and how they draw it.
 
-use crate::{
+use uchain_sim::{
     analyse::Summary,
     config::Course,
     draw::figure::{Mark, Stroke},
-    paper::flights::Shown,
     record::{Frame, History, LinkFrame, RecordError, Recorder},
     run::{RunError, run},
     sweep::Run,
 };
+
+use crate::flights::Shown;
 
 /// On a ring, somebody deeper than this share of a round stands behind the base: nobody flies that far.
 const BEHIND: f64 = 0.75;

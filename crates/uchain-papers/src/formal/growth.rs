@@ -1,11 +1,12 @@
 //! How many decisions it takes until the worst link is within 1 dB of the best one, against the length of the chain.
 
-use super::{decide, worst_db};
-use crate::{
+use uchain_sim::{
     draw::figure::{Axes, Figure, Mark, Stroke},
-    paper::{Outcome, PaperError, Row, Table},
-    sweep::each_of,
+    sweep::parallel_map,
 };
+
+use super::{decide, worst_db};
+use crate::{Outcome, PaperError, Row, Table};
 
 /// Links.
 const LENGTHS: [u32; 12] = [3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128];
@@ -98,7 +99,7 @@ fn slope(points: &[(f64, f64)]) -> f64 {
 }
 
 pub(super) fn add(outcome: &mut Outcome) -> Result<(), PaperError> {
-    let counts = each_of((CASES.len() * LENGTHS.len()) as u64, |index| {
+    let counts = parallel_map((CASES.len() * LENGTHS.len()) as u64, |index| {
         // Long chains first: they take longest.
         let place = CASES.len() * LENGTHS.len() - 1 - index as usize;
         decisions(&CASES[place % CASES.len()], LENGTHS[place / CASES.len()])

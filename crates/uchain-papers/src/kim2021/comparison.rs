@@ -1,14 +1,15 @@
 //! Three strategies against each other (Kim 2021, §7.2): 2 to 5 robots, 20 runs each, common random numbers.
 
-use crate::{
+use uchain_sim::{
     analyse::{Estimate, explore::ExploreSummary, saved_percent},
     draw::figure::{Axes, Figure, Mark},
-    paper::{
-        Outcome, PaperError, Row, Table,
-        flights::{Asked, explorations, scenario},
-        outcome::shown,
-    },
     run::explore,
+};
+
+use crate::{
+    Outcome, PaperError, Row, Table,
+    flights::{Asked, explorations, scenario},
+    outcome::shown,
 };
 
 /// From the one that holds positions to the one of the paper.

@@ -1,19 +1,20 @@
 //! Laclau 2021, Fig. 4E: how long each treatment takes to converge.
 
+use uchain_sim::{
+    analyse::{Estimate, is_less_in_pairs, tends_to_be_less},
+    draw::figure::{Axes, Figure, Mark},
+};
+
 use super::{
     exploration::{DURATION_S, FROM_S, Flight, LEVEL_DB, LINKS, PARKED_DB, STOP_S, TREATMENTS, Treated},
     fig4d::SETUP,
 };
 use crate::{
-    analyse::{Estimate, is_less_in_pairs, tends_to_be_less},
-    draw::figure::{Axes, Figure, Mark},
-    paper::{
-        Flights, Item, Outcome, PaperError, Row, Table,
-        outcome::{cell, is_significant, p_value, shown, tendency},
-    },
+    Flights, Item, Outcome, PaperError, Row, Table,
+    outcome::{cell, is_significant, p_value, shown, tendency},
 };
 
-pub(in crate::paper) const FIG4E: Item =
+pub(crate) const FIG4E: Item =
     Item { id: "fig4e", title: "convergence time of T0, T5 and K (Laclau 2021, Fig. 4E)", run: regenerate };
 
 /// K counts as about as fast as T0 when it is slower by no more than this share of T0's mean, with 95 % confidence.
@@ -178,7 +179,8 @@ fn verdicts(how: &str, treated: &Treated) -> Vec<Row> {
 #[cfg(test)]
 mod tests {
     use super::{super::watch::Sample, *};
-    use crate::{paper::Verdict, record::LinkFrame};
+    use crate::Verdict;
+    use uchain_sim::record::LinkFrame;
 
     /// A run whose three links are level from a time on.
     fn level_from(level_s: f64) -> Flight {

@@ -1,17 +1,18 @@
 //! What every part is worth: one thing varied at a time.
 
-use super::{
-    Flights, Item, Outcome, PaperError, Table,
-    flights::{Asked, chains, scenario},
-    outcome::{cell, p_value, shown},
-};
-use crate::{
+use uchain_sim::{
     analyse::{Estimate, Summary, is_less_in_pairs},
     draw::figure::{Axes, Figure, Mark},
     run::run,
 };
 
-pub(super) const ABLATIONS: Item =
+use super::{
+    Flights, Item, Outcome, PaperError, Table,
+    flights::{Asked, chains, scenario},
+    outcome::{cell, p_value, shown},
+};
+
+pub(crate) const ABLATIONS: Item =
     Item { id: "ablations", title: "one thing varied at a time (this project's defaults)", run: regenerate };
 
 const REPLICATES: u64 = 30;

@@ -1,20 +1,21 @@
 //! Laclau 2021, Fig. 6: the circuit as flown, with the firmware's laws.
 
-use super::watch::{Sample, Watched, marks, spread, watch};
-use crate::{
+use uchain_sim::{
     analyse::Estimate,
     config::Course,
     draw::figure::{Axes, Figure, Mark},
-    paper::{
-        Flights, Item, Outcome, PaperError, Row, Table,
-        flights::{Asked, Shown, chains, scenario},
-        outcome::{cell, shown},
-    },
     run::RunError,
     sweep::Run,
 };
 
-pub(in crate::paper) const FIG6: Item = Item {
+use super::watch::{Sample, Watched, marks, spread, watch};
+use crate::{
+    Flights, Item, Outcome, PaperError, Row, Table,
+    flights::{Asked, Shown, chains, scenario},
+    outcome::{cell, shown},
+};
+
+pub(crate) const FIG6: Item = Item {
     id: "fig6",
     title: "the flight test: a head, two relays and a base (Laclau 2021, Fig. 6)",
     run: regenerate,

@@ -1,6 +1,6 @@
 //! What an item came to.
 
-use crate::{
+use uchain_sim::{
     analyse::{Estimate, Tendency},
     draw::{
         DrawError, Picture,
@@ -130,7 +130,7 @@ pub struct Outcome {
 
 impl Outcome {
     /// Draws a figure, and keeps its points.
-    pub(super) fn draw(&mut self, name: &str, drawn: &Figure) -> Result<(), DrawError> {
+    pub(crate) fn draw(&mut self, name: &str, drawn: &Figure) -> Result<(), DrawError> {
         self.pictures.push((name.to_owned(), figure(drawn)?));
         let mut table = Table::new(&format!("{name}-points"), &["panel", "series", "x", "y", "low", "high"]);
         table.rows = drawn.points().into_iter().map(Vec::from).collect();
@@ -140,7 +140,7 @@ impl Outcome {
 }
 
 /// Mean and 95 % interval, with so many digits.
-pub(super) fn shown(sample: &[f64], digits: usize, unit: &str) -> String {
+pub(crate) fn shown(sample: &[f64], digits: usize, unit: &str) -> String {
     let Some(estimate) = Estimate::of(sample) else { return "none".to_owned() };
     let (low, high) = estimate.interval();
     let mean = estimate.mean;
@@ -152,7 +152,7 @@ pub(super) fn shown(sample: &[f64], digits: usize, unit: &str) -> String {
 }
 
 /// A test's p.
-pub(super) fn p_value(p: Option<f64>) -> String {
+pub(crate) fn p_value(p: Option<f64>) -> String {
     match p {
         None => "p not known".to_owned(),
         Some(p) if p < 0.001 => "p < 0.001".to_owned(),
@@ -161,7 +161,7 @@ pub(super) fn p_value(p: Option<f64>) -> String {
 }
 
 /// Mann–Whitney in words.
-pub(super) fn tendency(of: Option<Tendency>) -> String {
+pub(crate) fn tendency(of: Option<Tendency>) -> String {
     match of {
         None => "too few for Mann–Whitney".to_owned(),
         Some(Tendency { p, share }) => format!("Mann–Whitney {}, A = {share:.2}", p_value(Some(p))),
@@ -169,11 +169,11 @@ pub(super) fn tendency(of: Option<Tendency>) -> String {
 }
 
 /// Whether a test says so, at 5 %.
-pub(super) fn is_significant(p: Option<f64>) -> bool {
+pub(crate) fn is_significant(p: Option<f64>) -> bool {
     p.is_some_and(|p| p < 0.05)
 }
 
 /// A number or nothing, for a table.
-pub(super) fn cell(value: Option<f64>, digits: usize) -> String {
+pub(crate) fn cell(value: Option<f64>, digits: usize) -> String {
     value.map_or_else(String::new, |value| format!("{value:.digits$}"))
 }

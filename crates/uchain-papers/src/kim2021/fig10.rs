@@ -1,9 +1,9 @@
 //! Kim 2021, Fig. 10: three strategies in an apartment.
 
 use super::comparison::{Claim, Comparison, DISTANCE, ITERATIONS, JUDGED};
-use crate::paper::{Flights, Item, Outcome, PaperError};
+use crate::{Flights, Item, Outcome, PaperError};
 
-pub(in crate::paper) const FIG10: Item =
+pub(crate) const FIG10: Item =
     Item { id: "fig10", title: "three strategies in an apartment (Kim 2021, Fig. 10)", run: regenerate };
 
 const CLAIMS: [Claim; 4] = [

@@ -2,6 +2,12 @@
 //! parameter is tuned to make a verdict agree; a disagreement is a result.
 //!
 //! One file per item: scenario, design, metric, picture, verdict. [`ITEMS`] lists them, [`report`] puts them into words.
+//!
+//! Everything here is done with the public items of [`uchain_sim`] and [`uchain_core`], as in any study of a user's own.
+//! Equal bits on every system need the program's own line `use uchain_libm as _;`.
+
+#[cfg(test)]
+use uchain_libm as _;
 
 mod ablations;
 mod flights;
@@ -11,7 +17,7 @@ mod laclau2021;
 mod outcome;
 mod report;
 
-use crate::{draw::DrawError, run::RunError, sweep::DesignError};
+use uchain_sim::{draw::DrawError, run::RunError, sweep::DesignError};
 
 pub use flights::Flights;
 pub use outcome::{Outcome, Row, Table, Verdict};
@@ -68,8 +74,8 @@ impl Item {
     /// The item of this name.
     ///
     /// ```
-    /// assert!(uchain_sim::paper::Item::find("fig4e").is_some());
-    /// assert!(uchain_sim::paper::Item::find("fig99").is_none());
+    /// assert!(uchain_papers::Item::find("fig4e").is_some());
+    /// assert!(uchain_papers::Item::find("fig99").is_none());
     /// ```
     pub fn find(id: &str) -> Option<Self> {
         ITEMS.iter().find(|item| item.id == id).copied()
