@@ -1,6 +1,6 @@
 use std::{collections::BTreeSet, fmt::Write as _, fs, path::Path};
 
-use uchain_papers::{Flights, ITEMS, Item, Outcome, Verdict, report};
+use uchain_papers::{ITEMS, Item, Outcome, RunCache, Verdict, report};
 
 /// Rows of an item that agree or differ, one a line.
 fn verdicts((item, outcome): &(Item, Outcome)) -> String {
@@ -18,7 +18,7 @@ fn tables(outcome: &Outcome) -> String {
         let fold = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
         bytes.iter().fold(0xcbf2_9ce4_8422_2325, fold)
     };
-    let named = outcome.tables.iter().filter(|table| !table.is_shown());
+    let named = outcome.tables.iter().filter(|table| !table.is_for_report());
     named.fold(String::new(), |mut text, table| {
         let (rows, hash) = (table.rows.len(), hash(table.csv().as_bytes()));
         let _ = writeln!(text, "          {}.csv: {rows} rows, {hash:016x}", table.name);
@@ -28,9 +28,9 @@ fn tables(outcome: &Outcome) -> String {
 
 #[test]
 fn the_report_in_the_docs_is_what_the_code_gives() {
-    let flights = Flights::default();
+    let cache = RunCache::default();
     let regenerate =
-        |item: &Item| (*item, item.regenerate(&flights).unwrap_or_else(|e| panic!("{}: {e}", item.id)));
+        |item: &Item| (*item, item.regenerate(&cache).unwrap_or_else(|e| panic!("{}: {e}", item.id)));
     let all: Vec<(Item, Outcome)> = ITEMS.iter().map(regenerate).collect();
 
     let names = all.iter().flat_map(|(_, outcome)| outcome.pictures.iter().map(|(name, _)| name));
@@ -46,7 +46,7 @@ fn the_report_in_the_docs_is_what_the_code_gives() {
         }
         for table in &outcome.tables {
             assert!(!table.rows.is_empty(), "{}", table.name);
-            assert!(table.is_shown() || table.name.starts_with(item.id), "{}", table.name);
+            assert!(table.is_for_report() || table.name.starts_with(item.id), "{}", table.name);
             assert!(table.rows.iter().all(|row| row.len() == table.header.len()), "{}", table.name);
         }
     }

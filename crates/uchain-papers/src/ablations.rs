@@ -1,4 +1,4 @@
-//! What every part is worth: one thing varied at a time.
+//! Ablation study: what every part is worth, one parameter varied at a time.
 
 use uchain_sim::{
     analyse::{Estimate, Summary, is_less_in_pairs},
@@ -7,18 +7,18 @@ use uchain_sim::{
 };
 
 use super::{
-    Flights, Item, Outcome, PaperError, Table,
-    flights::{Asked, chains, scenario},
-    outcome::{cell, p_value, shown},
+    Item, Outcome, PaperError, RunCache, Table,
+    experiment::{Experiment, chains, scenario},
+    outcome::{cell, mean_with_interval, p_value},
 };
 
 pub(crate) const ABLATIONS: Item =
     Item { id: "ablations", title: "one thing varied at a time (this project's defaults)", run: regenerate };
 
 const REPLICATES: u64 = 30;
-/// Below this p a difference counts as shown: 5 % over about 50 comparisons.
-const SURE: f64 = 0.001;
-/// Who never converges takes the whole run, at least (s).
+/// Below this p a difference counts as shown: 5 % over about 50 comparisons (Bonferroni correction for multiple tests).
+const SIGNIFICANCE_LEVEL: f64 = 0.001;
+/// Length of a run (s). A run that never converges counts with it: its convergence takes that long at least (censored data).
 const DURATION_S: f64 = 120.0;
 
 /// One key, or two: then every value of the second one is a line.
@@ -79,7 +79,7 @@ const LIST: [Ablation; 10] = [
 /// How a comparison begins that shows a faster convergence.
 const FASTER: &str = "faster";
 
-/// What is looked at: name, digits, and how it is read off.
+/// What is compared: name, digits, and how it is read from a summary.
 type Metric = (&'static str, usize, fn(&Summary) -> Option<f64>);
 const METRICS: [Metric; 7] = [
     ("convergence (s)", 1, |s| Some(s.converged_s.unwrap_or(DURATION_S))),
@@ -98,13 +98,13 @@ fn sample(runs: &[Summary], metric: &Metric) -> Vec<f64> {
     runs.iter().filter_map(metric.2).collect()
 }
 
-fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
+fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     let mut outcome = Outcome {
         setup: format!(
             "Scenario `corner` with this project's defaults (not the authors' settings), {REPLICATES} runs of every value \
              with the same noise; a run that never converges counts as {DURATION_S} s. The last column compares \
              convergence with the default's, `predict` with `hold` at the same loss, in pairs (t test, p of both sides); \
-             shown below p = {SURE}, 5 % over some 50 comparisons."
+             shown below p = {SIGNIFICANCE_LEVEL}, 5 % over some 50 comparisons."
         ),
         ..Outcome::default()
     };
@@ -115,8 +115,9 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
         if let Some((key, values)) = ablation.lines {
             vary.push(format!("{key}={}", values.join(",")));
         }
-        let asked = Asked { source: scenario("corner"), sets: &[], vary: &vary, replicates: REPLICATES };
-        let flown = chains(asked, |course, one| run(course, one.seed, &mut ()))?;
+        let experiment =
+            Experiment { source: scenario("corner"), sets: &[], vary: &vary, replicates: REPLICATES };
+        let flown = chains(experiment, |course, one| run(course, one.seed, &mut ()))?;
         let at =
             |value: usize, line: usize| flown.get(value * lines.len() + line).map_or(&[][..], Vec::as_slice);
         let keys = || std::iter::once(ablation.key).chain(ablation.lines.map(|(key, _)| key));
@@ -124,7 +125,7 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
             keys().chain(METRICS.iter().map(|metric| metric.0)).chain(["convergence compared"]).collect();
         let header_csv: Vec<&str> =
             keys().chain(["replicate"]).chain(METRICS.iter().map(|metric| metric.0)).collect();
-        let mut table = Table::shown(&header);
+        let mut table = Table::for_report(&header);
         let mut single = Table::new(&format!("ablations-{}", ablation.id), &header_csv);
         for (l, line) in lines.iter().enumerate() {
             for (v, value) in ablation.values.iter().enumerate() {
@@ -134,7 +135,7 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
                     words.into_iter().flatten().map(|word| word.trim_matches('"').to_owned()).collect();
                 let cells = METRICS.iter().map(|metric| match sample(runs, metric) {
                     never if metric.1 == 0 => format!("{:.0}", never.iter().sum::<f64>()),
-                    sample => shown(&sample, metric.1, ""),
+                    sample => mean_with_interval(&sample, metric.1, ""),
                 });
                 // A second line with the first one at the same value; that one with the default.
                 let other = if l > 0 {
@@ -142,10 +143,11 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
                 } else {
                     (v != ablation.default).then_some((ablation.default, l))
                 };
-                let compared = other.map_or_else(|| "–".to_owned(), |(v, l)| against(runs, at(v, l)));
+                let compared =
+                    other.map_or_else(|| "–".to_owned(), |(v, l)| compared_in_pairs(runs, at(v, l)));
                 if let Some((other_v, other_l)) = other
                     && compared.starts_with(FASTER)
-                    && is_shorter(runs, at(other_v, other_l))
+                    && is_chain_shorter(runs, at(other_v, other_l))
                 {
                     shorter.push(format!("`{}`", assignment(ablation, value, line)));
                 }
@@ -188,23 +190,23 @@ fn assignment(ablation: &Ablation, value: &str, line: &str) -> String {
 }
 
 /// Whether the head comes less far, or fewer relays are in the air than are needed, than with others.
-fn is_shorter(runs: &[Summary], others: &[Summary]) -> bool {
+fn is_chain_shorter(runs: &[Summary], others: &[Summary]) -> bool {
     let [relays, reach] = ["relays too many", "head reach (m)"].map(|name| {
         let metric = METRICS.iter().find(|metric| metric.0 == name);
         let of = |runs| metric.map_or_else(Vec::new, |metric| sample(runs, metric));
-        is_less_in_pairs(&of(runs), &of(others)).is_some_and(|p| p < SURE)
+        is_less_in_pairs(&of(runs), &of(others)).is_some_and(|p| p < SIGNIFICANCE_LEVEL)
     });
     relays || reach
 }
 
-/// Whether convergence is faster or slower than that of others, in pairs; p of both sides.
-fn against(runs: &[Summary], others: &[Summary]) -> String {
+/// Whether convergence is faster or slower than that of others: paired t test, p of both sides.
+fn compared_in_pairs(runs: &[Summary], others: &[Summary]) -> String {
     let [ours, theirs] = [runs, others].map(|runs| sample(runs, &METRICS[0]));
     let (faster, slower) = (is_less_in_pairs(&ours, &theirs), is_less_in_pairs(&theirs, &ours));
     let (Some(faster), Some(slower)) = (faster, slower) else { return "not known".to_owned() };
     let p = (2.0 * faster.min(slower)).min(1.0);
     let word = match p {
-        p if p >= SURE => "not shown",
+        p if p >= SIGNIFICANCE_LEVEL => "not shown",
         _ if faster < slower => FASTER,
         _ => "slower",
     };

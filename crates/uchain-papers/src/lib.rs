@@ -1,5 +1,5 @@
-//! The figures and tables of Laclau 2021 and Kim 2021 that a simulation can give, published values beside ours. No
-//! parameter is tuned to make a verdict agree; a disagreement is a result.
+//! Reproduction of the figures and tables of Laclau 2021 and Kim 2021 that a simulation can give, published values beside
+//! ours. No parameter is tuned to make a verdict agree; a disagreement is a result.
 //!
 //! One file per item: scenario, design, metric, picture, verdict. [`ITEMS`] lists them, [`report`] puts them into words.
 //!
@@ -10,16 +10,19 @@
 use uchain_libm as _;
 
 mod ablations;
-mod flights;
+mod experiment;
 mod formal;
 mod kim2021;
 mod laclau2021;
 mod outcome;
 mod report;
 
+use std::sync::OnceLock;
+
 use uchain_sim::{draw::DrawError, run::RunError, sweep::DesignError};
 
-pub use flights::Flights;
+use laclau2021::Exploration;
+
 pub use outcome::{Outcome, Row, Table, Verdict};
 pub use report::{report, verdict_table};
 
@@ -52,6 +55,23 @@ pub enum PaperError {
     Draw(#[from] DrawError),
 }
 
+/// Cache of the runs that several items show; they are flown when the first one asks.
+#[derive(Debug, Default)]
+pub struct RunCache {
+    exploration: OnceLock<Exploration>,
+}
+
+impl RunCache {
+    /// The exploration of Laclau 2021, Fig. 4D to F.
+    pub(crate) fn exploration(&self) -> Result<&Exploration, PaperError> {
+        if let Some(flown) = self.exploration.get() {
+            return Ok(flown);
+        }
+        let flown = Exploration::fly()?;
+        Ok(self.exploration.get_or_init(|| flown))
+    }
+}
+
 /// A figure or table of a paper.
 #[derive(Debug, Clone, Copy)]
 pub struct Item {
@@ -59,16 +79,16 @@ pub struct Item {
     pub id: &'static str,
     /// What it shows, and where it was published.
     pub title: &'static str,
-    run: fn(&Flights) -> Result<Outcome, PaperError>,
+    run: fn(&RunCache) -> Result<Outcome, PaperError>,
 }
 
 impl Item {
-    /// Flies it all again. Items that show the same runs share them through `flights`.
+    /// Flies it all again. Items that show the same runs share them through the cache.
     ///
     /// # Errors
     /// [`PaperError`].
-    pub fn regenerate(&self, flights: &Flights) -> Result<Outcome, PaperError> {
-        (self.run)(flights)
+    pub fn regenerate(&self, cache: &RunCache) -> Result<Outcome, PaperError> {
+        (self.run)(cache)
     }
 
     /// The item of this name.

@@ -1,4 +1,4 @@
-//! What an item came to.
+//! Result of an item: published values beside ours, verdicts, notes, pictures and tables.
 
 use uchain_sim::{
     analyse::{Estimate, Tendency},
@@ -81,19 +81,19 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table for programs, without rows.
+    /// A table for programs, saved as a CSV file of this name, without rows.
     pub fn new(name: &str, header: &[&str]) -> Self {
         let header = header.iter().map(|column| (*column).to_owned()).collect();
         Self { name: name.to_owned(), header, rows: Vec::new() }
     }
 
     /// A table of the report, without rows.
-    pub fn shown(header: &[&str]) -> Self {
+    pub fn for_report(header: &[&str]) -> Self {
         Self::new("", header)
     }
 
     /// Whether it is one of the report.
-    pub fn is_shown(&self) -> bool {
+    pub fn is_for_report(&self) -> bool {
         self.name.is_empty()
     }
 
@@ -113,7 +113,7 @@ impl Table {
     }
 }
 
-/// What an item came to.
+/// Result of an item.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outcome {
     /// What was flown, in a sentence or two.
@@ -139,8 +139,8 @@ impl Outcome {
     }
 }
 
-/// Mean and 95 % interval, with so many digits.
-pub(crate) fn shown(sample: &[f64], digits: usize, unit: &str) -> String {
+/// Mean and 95 % confidence interval as text, with so many digits after the point.
+pub(crate) fn mean_with_interval(sample: &[f64], digits: usize, unit: &str) -> String {
     let Some(estimate) = Estimate::of(sample) else { return "none".to_owned() };
     let (low, high) = estimate.interval();
     let mean = estimate.mean;
@@ -151,7 +151,7 @@ pub(crate) fn shown(sample: &[f64], digits: usize, unit: &str) -> String {
     format!("{mean:.digits$}{unit} ({low:.digits$} … {high:.digits$})")
 }
 
-/// A test's p.
+/// The p value of a test as text.
 pub(crate) fn p_value(p: Option<f64>) -> String {
     match p {
         None => "p not known".to_owned(),
@@ -160,20 +160,20 @@ pub(crate) fn p_value(p: Option<f64>) -> String {
     }
 }
 
-/// Mann–Whitney in words.
-pub(crate) fn tendency(of: Option<Tendency>) -> String {
+/// Result of a Mann–Whitney U test as text: p and the effect size A (probability of superiority).
+pub(crate) fn mann_whitney(of: Option<Tendency>) -> String {
     match of {
         None => "too few for Mann–Whitney".to_owned(),
         Some(Tendency { p, share }) => format!("Mann–Whitney {}, A = {share:.2}", p_value(Some(p))),
     }
 }
 
-/// Whether a test says so, at 5 %.
+/// Whether a test is significant at the level of 5 %.
 pub(crate) fn is_significant(p: Option<f64>) -> bool {
     p.is_some_and(|p| p < 0.05)
 }
 
-/// A number or nothing, for a table.
+/// A table's cell: a number, or nothing.
 pub(crate) fn cell(value: Option<f64>, digits: usize) -> String {
     value.map_or_else(String::new, |value| format!("{value:.digits$}"))
 }

@@ -1,4 +1,4 @@
-//! All outcomes in words: `REPORT.md`, and `docs/reproduction.md`.
+//! The reproduction report in Markdown: `REPORT.md`, and `docs/reproduction.md`.
 
 use std::fmt::Write as _;
 
@@ -101,7 +101,7 @@ pub fn report(items: &[(Item, Outcome)]) -> String {
                 row.verdict.word()
             );
         }
-        for table in outcome.tables.iter().filter(|table| table.is_shown()) {
+        for table in outcome.tables.iter().filter(|table| table.is_for_report()) {
             let _ = writeln!(text, "\n| {} |", table.header.join(" | "));
             let _ = writeln!(text, "|{}", "---|".repeat(table.header.len()));
             for row in &table.rows {

@@ -6,7 +6,7 @@ use clap::{
     Args,
     builder::{PossibleValue, PossibleValuesParser},
 };
-use uchain_papers::{Flights, ITEMS, Item, Outcome, Verdict, report, verdict_table};
+use uchain_papers::{ITEMS, Item, Outcome, RunCache, Verdict, report, verdict_table};
 
 use crate::{
     args::{Out, Quiet},
@@ -76,10 +76,10 @@ pub(crate) fn leaves(name: &str) -> bool {
 #[expect(clippy::disallowed_methods, reason = "progress tells how long this computer took")]
 pub(crate) fn redraw(asked: &Paper) -> Result<(), Failure> {
     let folder = asked.out.folder(|| Folder::ours("", "paper", ""))?;
-    let (flights, mut done, begin) = (Flights::default(), Vec::new(), Instant::now());
+    let (cache, mut done, begin) = (RunCache::default(), Vec::new(), Instant::now());
     for item in asked.asked() {
         let start = Instant::now();
-        let outcome = item.regenerate(&flights)?;
+        let outcome = item.regenerate(&cache)?;
         if done.is_empty() {
             // The report is about what is drawn now; pictures it does not name would be somebody else's.
             folder.clear_all(&[REPORT, VERDICTS], leaves)?;
@@ -104,7 +104,7 @@ fn write(folder: &Folder, outcome: &Outcome) -> Result<(), Failure> {
         files.push((format!("{name}.png"), &picture.png));
         files.push((format!("{name}.svg"), picture.svg.as_bytes()));
     }
-    let tables = outcome.tables.iter().filter(|table| !table.is_shown());
+    let tables = outcome.tables.iter().filter(|table| !table.is_for_report());
     let tables: Vec<(String, String)> =
         tables.map(|table| (format!("{}.csv", table.name), table.csv())).collect();
     files.extend(tables.iter().map(|(name, csv)| (name.clone(), csv.as_bytes())));

@@ -1,11 +1,12 @@
-//! How many decisions it takes until the worst link is within 1 dB of the best one, against the length of the chain.
+//! Convergence rate (scaling law): decisions until the worst link is within 1 dB of the optimum, over the length of the
+//! chain.
 
 use uchain_sim::{
     draw::figure::{Axes, Figure, Mark, Stroke},
     sweep::parallel_map,
 };
 
-use super::{decide, worst_db};
+use super::{equalize_all, worst_db};
 use crate::{Outcome, PaperError, Row, Table};
 
 /// Links.
@@ -71,7 +72,7 @@ const CASES: [Case; 3] = [
     },
 ];
 
-/// From all relays at the base.
+/// Decisions of a chain whose relays all start at the base; `None` if [`DECISIONS`] are not enough.
 fn decisions(case: &Case, links: u32) -> Option<u64> {
     let head_m = SPACING_M * f64::from(links);
     let mut depths_m = vec![0.0; links as usize];
@@ -79,7 +80,7 @@ fn decisions(case: &Case, links: u32) -> Option<u64> {
     let best_db = (case.loss_db)(0.0, SPACING_M);
     let mut links_db = Vec::new();
     for decision in 0..DECISIONS {
-        decide(&mut depths_m, &mut links_db, case.k_db_per_m, case.step_max_m, &case.loss_db);
+        equalize_all(&mut depths_m, &mut links_db, case.k_db_per_m, case.step_max_m, &case.loss_db);
         // These are the losses before the step.
         if worst_db(&links_db) - best_db <= NEAR_DB {
             return Some(decision);
@@ -88,7 +89,7 @@ fn decisions(case: &Case, links: u32) -> Option<u64> {
     None
 }
 
-/// Slope of a straight line through points, least squares.
+/// Slope of a straight line through points (linear regression, least squares).
 fn slope(points: &[(f64, f64)]) -> f64 {
     let n = points.len() as f64;
     let (x, y) = points.iter().fold((0.0, 0.0), |(x, y), point| (x + point.0 / n, y + point.1 / n));
@@ -109,7 +110,7 @@ pub(super) fn add(outcome: &mut Outcome) -> Result<(), PaperError> {
         counts.get(counts.len() - 1 - place).copied().flatten()
     };
     let header = ["case", "links", "decisions", "minutes at 5 Hz"];
-    let (mut shown, mut table) = (Table::shown(&header), Table::new("formal-growth", &header));
+    let (mut shown, mut table) = (Table::for_report(&header), Table::new("formal-growth", &header));
     let (mut marks, mut ends) = (Vec::new(), Vec::new());
     for (c, case) in CASES.iter().enumerate() {
         let known = LENGTHS.iter().enumerate().filter_map(|(l, links)| Some((*links, count(c, l)?)));

@@ -1,4 +1,5 @@
-//! Where the conditions of the proof do not hold: quality that is not monotone, and slopes above k.
+//! Where the conditions of the proof do not hold: link quality that is not monotone (local optima), and slopes above the
+//! Lipschitz constant k (steps that overshoot and oscillate).
 
 use uchain_core::bounded;
 use uchain_sim::{
@@ -7,8 +8,8 @@ use uchain_sim::{
     sweep::{DesignError, parallel_map},
 };
 
-use super::{decide, measure, worst_db};
-use crate::{Outcome, PaperError, Row, SEED, Table, flights::written};
+use super::{equalize_all, measure_links, worst_db};
+use crate::{Outcome, PaperError, Row, SEED, Table, experiment::inline_scenario};
 
 /// Random starts of each case.
 const STARTS: u64 = 100;
@@ -75,8 +76,9 @@ const CASES: [Case; 8] = [
 
 /// Where one start led.
 struct End {
+    /// Optimality gap: loss of the worst link, in the mean of the last decisions, above that of the best chain (dB).
     gap_db: f64,
-    /// How much the worst link still changes (dB).
+    /// How much the worst link still changes (peak to peak, dB).
     restless_db: f64,
 }
 
@@ -92,7 +94,7 @@ pub(super) fn add(outcome: &mut Outcome) -> Result<(), PaperError> {
         "largest gap (dB)",
         "still moving by (dB)",
     ];
-    let (mut shown, mut table) = (Table::shown(&header), Table::new("formal-limits", &header));
+    let (mut shown, mut table) = (Table::for_report(&header), Table::new("formal-limits", &header));
     let mut monotone = (0, 0);
     let mut restless = (0.0, "nowhere".to_owned());
     for case in &CASES {
@@ -102,15 +104,15 @@ pub(super) fn add(outcome: &mut Outcome) -> Result<(), PaperError> {
              [chain]\nuavs = 1\nbase_m = [0.0, 0.0]\n[radio]\nalpha_wall = {alpha_wall:?}\n\
              [[pilot]]\nstart_s = 0.0\nspeed_mps = 0.0\n"
         );
-        let course = Course::read(&written("formal", text), &[]).map_err(DesignError::from)?;
+        let course = Course::read(&inline_scenario("formal", text), &[]).map_err(DesignError::from)?;
         let Some(yardstick) = course.yardstick() else { continue };
         let loss_db = |a_m: f64, b_m: f64| yardstick.loss_db(a_m.max(0.0), b_m);
         let best_db = yardstick.optimum(head_m, LINKS).bottleneck_db;
-        let ends = parallel_map(STARTS, |start| settle(case, start, best_db, &loss_db));
+        let ends = parallel_map(STARTS, |start| run_from_random_start(case, start, best_db, &loss_db));
         let near = ends.iter().filter(|end| end.gap_db <= NEAR_DB).count();
         let most = |of: fn(&End) -> f64| ends.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
         let mean_db = ends.iter().map(|end| end.gap_db).sum::<f64>() / ends.len() as f64;
-        let (steepest, grows) = shape(head_m, &loss_db);
+        let (steepest, grows) = slopes(head_m, &loss_db);
         let moves_db = most(|end| end.restless_db);
         if grows {
             monotone = (monotone.0 + near, monotone.1 + ends.len());
@@ -150,7 +152,7 @@ pub(super) fn add(outcome: &mut Outcome) -> Result<(), PaperError> {
     Ok(())
 }
 
-fn settle(case: &Case, start: u64, best_db: f64, loss_db: &impl Fn(f64, f64) -> f64) -> End {
+fn run_from_random_start(case: &Case, start: u64, best_db: f64, loss_db: &impl Fn(f64, f64) -> f64) -> End {
     let mut draws = Seed(SEED).replicate(start).stream(0, Source::Start);
     let relays = (1..LINKS).map(|_| f64::from(draws.uniform()) * case.head_m);
     let mut depths_m: Vec<f64> = relays.chain([0.0, case.head_m]).collect();
@@ -158,13 +160,13 @@ fn settle(case: &Case, start: u64, best_db: f64, loss_db: &impl Fn(f64, f64) -> 
     let (mut links_db, mut sum_db) = (Vec::new(), 0.0);
     let (mut low_db, mut high_db) = (f64::INFINITY, f64::NEG_INFINITY);
     for decision in 0..DECISIONS {
-        decide(&mut depths_m, &mut links_db, case.k_db_per_m, STEP_MAX_M, loss_db);
+        equalize_all(&mut depths_m, &mut links_db, case.k_db_per_m, STEP_MAX_M, loss_db);
         // Bodies cannot pass one another.
         for i in 1..depths_m.len() - 1 {
             depths_m[i] = bounded(depths_m[i], depths_m[i - 1], case.head_m);
         }
         if decision >= DECISIONS - LAST {
-            measure(&depths_m, &mut links_db, loss_db);
+            measure_links(&depths_m, &mut links_db, loss_db);
             let now_db = worst_db(&links_db);
             (low_db, high_db) = (low_db.min(now_db), high_db.max(now_db));
             sum_db += now_db;
@@ -174,7 +176,7 @@ fn settle(case: &Case, start: u64, best_db: f64, loss_db: &impl Fn(f64, f64) -> 
 }
 
 /// The steepest slope of loss over the depth of one end (dB/m), and whether it grows everywhere with distance.
-fn shape(head_m: f64, loss_db: &(impl Fn(f64, f64) -> f64 + Sync)) -> (f64, bool) {
+fn slopes(head_m: f64, loss_db: &(impl Fn(f64, f64) -> f64 + Sync)) -> (f64, bool) {
     /// Rounding of single precision (dB).
     const ROUNDING_DB: f64 = 1e-3;
     let steps = (head_m / STEP_M) as u64;

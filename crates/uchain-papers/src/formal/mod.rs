@@ -1,4 +1,5 @@
-//! The formal part of Laclau 2021 (§4.1) as numbers: is Eq. 12 right, how does it grow, and where does it end?
+//! The formal part of Laclau 2021 (§4.1) checked numerically: does Eq. 12 converge to the optimum, how does the time to
+//! converge scale with the length of the chain, and where do the conditions of the proof fail?
 
 mod growth;
 mod limits;
@@ -6,7 +7,7 @@ mod optimality;
 
 use uchain_core::bounded;
 
-use crate::{Flights, Item, Outcome, PaperError};
+use crate::{Item, Outcome, PaperError, RunCache};
 
 pub(super) const FORMAL: Item = Item {
     id: "formal",
@@ -14,7 +15,7 @@ pub(super) const FORMAL: Item = Item {
     run: regenerate,
 };
 
-fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
+fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     let mut outcome = Outcome {
         setup: "The law of Eq. 12 without noise, decision by decision: every relay moves at the same time by a third of its \
                 imbalance over k. No bodies, no sensors, no walls but for the radio."
@@ -27,16 +28,16 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
     Ok(outcome)
 }
 
-/// One decision of all relays (Laclau 2021, Eq. 12): depths from the base (0, which stays) to the head (which stays). A
-/// step is at most `step_max_m`.
-fn decide(
+/// One decision of all relays at once, the equalization law (Laclau 2021, Eq. 12): depths from the base (0, which stays)
+/// to the head (which stays). A step is at most `step_max_m`.
+fn equalize_all(
     depths_m: &mut [f64],
     links_db: &mut Vec<f64>,
     k_db_per_m: f64,
     step_max_m: f64,
     loss_db: &impl Fn(f64, f64) -> f64,
 ) {
-    measure(depths_m, links_db, loss_db);
+    measure_links(depths_m, links_db, loss_db);
     let relays = depths_m.iter_mut().skip(1);
     for (relay, pair) in relays.zip(links_db.windows(2)) {
         // Toward the head if the link to it is the worse one.
@@ -46,7 +47,7 @@ fn decide(
 }
 
 /// Losses of all links, that of the base first.
-fn measure(depths_m: &[f64], links_db: &mut Vec<f64>, loss_db: &impl Fn(f64, f64) -> f64) {
+fn measure_links(depths_m: &[f64], links_db: &mut Vec<f64>, loss_db: &impl Fn(f64, f64) -> f64) {
     links_db.clear();
     links_db.extend(depths_m.windows(2).map(|pair| loss_db(pair[0], pair[1])));
 }

@@ -1,4 +1,4 @@
-//! Eq. 12 against the optimum, for random profiles of loss that keep the theorem's conditions.
+//! Optimality gap of Eq. 12 for random profiles of loss that keep the theorem's conditions (a Monte Carlo test).
 
 use uchain_sim::{
     analyse::optimum::equal_links,
@@ -6,7 +6,7 @@ use uchain_sim::{
     sweep::parallel_map,
 };
 
-use super::{decide, measure, worst_db};
+use super::{equalize_all, measure_links, worst_db};
 use crate::{Outcome, Row, SEED};
 
 /// Random profiles.
@@ -80,7 +80,7 @@ struct Trial {
     /// The worst link got worse, by so much at most (dB).
     worse_db: f64,
     crossed: bool,
-    /// How far from the optimum it ended (dB).
+    /// Optimality gap at the end (dB).
     gap_db: f64,
 }
 
@@ -97,12 +97,12 @@ fn trial(index: u64, times: f64, decisions: u32) -> Trial {
     let loss_db = |a_m: f64, b_m: f64| profile.loss_db(a_m, b_m);
     let best_db = equal_links(&loss_db, head_m, links).map_or(f64::NAN, |best| best.bottleneck_db);
     let mut links_db = Vec::new();
-    measure(&depths_m, &mut links_db, &loss_db);
+    measure_links(&depths_m, &mut links_db, &loss_db);
     let mut now_db = worst_db(&links_db);
     let mut trial = Trial { decisions: 0, worse_db: 0.0, crossed: false, gap_db: f64::NAN };
     while trial.decisions < decisions && now_db - best_db > THERE_DB {
-        decide(&mut depths_m, &mut links_db, k_db_per_m / times, f64::INFINITY, &loss_db);
-        measure(&depths_m, &mut links_db, &loss_db);
+        equalize_all(&mut depths_m, &mut links_db, k_db_per_m / times, f64::INFINITY, &loss_db);
+        measure_links(&depths_m, &mut links_db, &loss_db);
         let next_db = worst_db(&links_db);
         trial.worse_db = trial.worse_db.max(next_db - now_db);
         trial.crossed |= depths_m.windows(2).any(|pair| pair[0] > pair[1] + ROUNDING);

@@ -1,4 +1,4 @@
-//! Three strategies against each other (Kim 2021, §7.2): 2 to 5 robots, 20 runs each, common random numbers.
+//! Comparison of three exploration strategies (Kim 2021, §7.2): 2 to 5 robots, 20 runs each, common random numbers.
 
 use uchain_sim::{
     analyse::{Estimate, explore::ExploreSummary, saved_percent},
@@ -8,8 +8,8 @@ use uchain_sim::{
 
 use crate::{
     Outcome, PaperError, Row, Table,
-    flights::{Asked, explorations, scenario},
-    outcome::shown,
+    experiment::{Experiment, explorations, scenario},
+    outcome::mean_with_interval,
 };
 
 /// From the one that holds positions to the one of the paper.
@@ -18,10 +18,10 @@ const ROBOTS: [usize; 4] = [2, 3, 4, 5];
 const REPLICATES: u64 = 20;
 
 /// How rows are judged.
-pub(super) const JUDGED: &str = "Agrees: the interval meets the published range for every number of robots, and the mean over them \
+pub(super) const AGREEMENT_RULE: &str = "Agrees: the interval meets the published range for every number of robots, and the mean over them \
 lies within. Intervals: bootstrap over the pairs of a replicate, which start from the same places.";
 
-/// What is counted.
+/// A metric of a run.
 #[derive(Clone, Copy)]
 pub(super) struct Metric {
     pub(super) name: &'static str,
@@ -58,8 +58,8 @@ impl Comparison {
             format!("explore.strategy={}", STRATEGIES.map(|strategy| format!("\"{strategy}\"")).join(",")),
             format!("explore.robots={}", ROBOTS.map(|robots| robots.to_string()).join(",")),
         ];
-        let asked = Asked { source: scenario(map), sets: &[], vary: &vary, replicates: REPLICATES };
-        let runs = explorations(asked, |site, run| Ok(explore(site, run.seed, &mut ())?.0))?;
+        let experiment = Experiment { source: scenario(map), sets: &[], vary: &vary, replicates: REPLICATES };
+        let runs = explorations(experiment, |site, run| Ok(explore(site, run.seed, &mut ())?.0))?;
         Ok(Self { map, runs })
     }
 
@@ -79,7 +79,7 @@ impl Comparison {
             rows: claims.iter().map(|claim| self.row(claim)).collect(),
             ..Outcome::default()
         };
-        let mut table = Table::shown(&[
+        let mut table = Table::for_report(&[
             "strategy",
             "robots",
             "iterations",
@@ -89,7 +89,7 @@ impl Comparison {
         ]);
         for (s, strategy) in STRATEGIES.iter().enumerate() {
             for (n, robots) in ROBOTS.iter().enumerate() {
-                let of = |metric, digits| shown(&self.sample(s, n, metric), digits, "");
+                let of = |metric, digits| mean_with_interval(&self.sample(s, n, metric), digits, "");
                 let cells = [of(ITERATIONS, 1), of(DISTANCE, 1), of(HOLDS, 1), of(OVERLAP, 1)];
                 table
                     .rows

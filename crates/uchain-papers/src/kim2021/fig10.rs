@@ -1,7 +1,7 @@
 //! Kim 2021, Fig. 10: three strategies in an apartment.
 
-use super::comparison::{Claim, Comparison, DISTANCE, ITERATIONS, JUDGED};
-use crate::{Flights, Item, Outcome, PaperError};
+use super::comparison::{AGREEMENT_RULE, Claim, Comparison, DISTANCE, ITERATIONS};
+use crate::{Item, Outcome, PaperError, RunCache};
 
 pub(crate) const FIG10: Item =
     Item { id: "fig10", title: "three strategies in an apartment (Kim 2021, Fig. 10)", run: regenerate };
@@ -13,13 +13,13 @@ const CLAIMS: [Claim; 4] = [
     Claim { pair: [1, 2], metric: DISTANCE, range: Some([2.55, 5.92]) },
 ];
 
-fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
+fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     let title = "Three strategies in the apartment, means of 20 runs (Kim 2021, Fig. 10)";
     let comparison = Comparison::fly("apartment")?;
     let mut outcome = comparison.outcome("fig10", title, &CLAIMS)?;
     outcome.rows.extend([ITERATIONS, DISTANCE].map(|metric| comparison.grows([1, 2], metric)));
     outcome.notes = vec![
-        JUDGED.to_owned(),
+        AGREEMENT_RULE.to_owned(),
         comparison.levels_alone(),
         format!(
             "{}; one that is parked or holds is passed on another level, without which the strategy deadlocks. How often and \

@@ -1,7 +1,7 @@
 //! Kim 2021, Fig. 11: three strategies in corridors.
 
-use super::comparison::{Claim, Comparison, DISTANCE, ITERATIONS, JUDGED};
-use crate::{Flights, Item, Outcome, PaperError};
+use super::comparison::{AGREEMENT_RULE, Claim, Comparison, DISTANCE, ITERATIONS};
+use crate::{Item, Outcome, PaperError, RunCache};
 
 pub(crate) const FIG11: Item =
     Item { id: "fig11", title: "three strategies in corridors (Kim 2021, Fig. 11)", run: regenerate };
@@ -18,7 +18,7 @@ const CLAIMS: [Claim; 6] = [
     Claim { pair: [1, 2], metric: DISTANCE, range: None },
 ];
 
-fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
+fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     let title = "Three strategies in corridors, means of 20 runs (Kim 2021, Fig. 11)";
     let comparison = Comparison::fly("corridors")?;
     let mut outcome = comparison.outcome("fig11", title, &CLAIMS)?;
@@ -30,7 +30,7 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
         _ => "within",
     };
     outcome.notes = vec![
-        JUDGED.to_owned(),
+        AGREEMENT_RULE.to_owned(),
         "The map is ours; the published one's size, corridors and branches are not printed.".to_owned(),
         format!(
             "Of distance {saved:.1} % is saved in the mean over 2 to 5 robots, {beside} the published {least} to {most} %. {}. \

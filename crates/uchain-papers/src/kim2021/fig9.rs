@@ -11,9 +11,9 @@ use uchain_sim::{
 };
 
 use crate::{
-    Flights, Item, Outcome, PaperError, Row, SEED, Table,
-    flights::{Asked, explorations, scenario},
-    outcome::shown,
+    Item, Outcome, PaperError, Row, RunCache, SEED, Table,
+    experiment::{Experiment, explorations, scenario},
+    outcome::mean_with_interval,
 };
 
 pub(crate) const FIG9: Item =
@@ -23,10 +23,10 @@ pub(crate) const FIG9: Item =
 const SHOWN: [u32; 2] = [20, 40];
 const REPLICATES: u64 = 20;
 
-/// Rounds begun so far.
-struct Rounds(u32);
+/// Counts the rounds begun so far.
+struct RoundCounter(u32);
 
-impl Recorder<ExploreFrame> for Rounds {
+impl Recorder<ExploreFrame> for RoundCounter {
     fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
         self.0 = frame.rounds;
         Ok(())
@@ -37,7 +37,7 @@ impl Recorder<ExploreFrame> for Rounds {
 fn after(site: &Site, seed: u64, rounds: u32) -> Result<Picture, PaperError> {
     let mut exploration = Exploration::new(site, seed).ok_or(RunError::Params)?;
     let (mut metrics, mut history) = (ExploreMetrics::new(site), ExploreHistory::default());
-    let (mut last, mut begun) = (None, Rounds(0));
+    let (mut last, mut begun) = (None, RoundCounter(0));
     while last.is_none() && begun.0 <= rounds {
         last = exploration.step(&mut ((&mut metrics, &mut history), &mut begun)).map_err(RunError::from)?;
     }
@@ -52,10 +52,10 @@ fn after(site: &Site, seed: u64, rounds: u32) -> Result<Picture, PaperError> {
     Ok(explore_picture(site, &history, &survey, &summary)?)
 }
 
-fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
+fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     let source = scenario("apartment");
-    let asked = Asked { source: source.clone(), sets: &[], vary: &[], replicates: REPLICATES };
-    let flown: Vec<_> = explorations(asked, |site, run| Ok(explore(site, run.seed, &mut ())?.0))?
+    let experiment = Experiment { source: source.clone(), sets: &[], vary: &[], replicates: REPLICATES };
+    let flown: Vec<_> = explorations(experiment, |site, run| Ok(explore(site, run.seed, &mut ())?.0))?
         .into_iter()
         .flatten()
         .collect();
@@ -85,7 +85,7 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
             Row::unjudged(
                 "iterations until all are home",
                 "79 (one run)",
-                format!("{}; from {low:.0} to {high:.0}", shown(&rounds, 1, "")),
+                format!("{}; from {low:.0} to {high:.0}", mean_with_interval(&rounds, 1, "")),
             ),
             Row::claim(
                 "explored, and all home",

@@ -1,4 +1,4 @@
-//! Kim 2021: a team that explores.
+//! Kim 2021 (CSSG): cooperative multi-robot exploration.
 
 mod comparison;
 mod fig10;

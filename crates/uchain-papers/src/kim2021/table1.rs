@@ -11,7 +11,7 @@ use uchain_sim::{
     sweep::DesignError,
 };
 
-use crate::{Flights, Item, Outcome, PaperError, Row, SEED, Table, flights::scenario};
+use crate::{Item, Outcome, PaperError, Row, RunCache, SEED, Table, experiment::scenario};
 
 pub(crate) const TABLE1: Item = Item {
     id: "table1",
@@ -40,7 +40,7 @@ fn fly(sets: &[String]) -> Result<Flown, PaperError> {
     Ok(Flown { site, summary, survey, history })
 }
 
-fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
+fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     let flown = fly(&[])?;
     let point = fly(&["explore.vehicle=\"point-mass\"".to_owned()])?.summary;
     let summary = &flown.summary;

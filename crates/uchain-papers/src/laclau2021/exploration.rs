@@ -4,10 +4,10 @@
 use uchain_core::chain::CenterParams;
 use uchain_sim::{config::Course, run::RunError, sweep::Run};
 
-use super::watch::{Sample, Watched, spread, watch};
+use super::trace::{Sample, Trace, record_trace, spread};
 use crate::{
     PaperError,
-    flights::{Asked, Shown, chains, scenario},
+    experiment::{Experiment, RecordedRun, chains, scenario},
 };
 
 /// The three treatments: their names, and whose signal relays level within which tolerance.
@@ -41,7 +41,7 @@ pub(super) const S_MIN_DB: f64 = 60.0;
 pub(super) struct Flight {
     pub(super) samples: Vec<Sample>,
     /// Of the first run.
-    pub(super) shown: Option<Shown>,
+    pub(super) recorded: Option<RecordedRun>,
     pub(super) launches_s: Vec<f64>,
     pub(super) relays_used: usize,
     pub(super) relays_needed: Option<usize>,
@@ -50,7 +50,7 @@ pub(super) struct Flight {
 }
 
 /// By treatment, then by replicate.
-pub(super) type Treated = Vec<Vec<Flight>>;
+pub(super) type RunsByTreatment = Vec<Vec<Flight>>;
 
 /// Readings of what the paper says: their names, whether T0 and T5 launch on the raw signal, and further settings.
 const READINGS: [(&str, bool, &[&str]); 3] =
@@ -64,7 +64,7 @@ const RAW: usize = 1;
 #[derive(Debug)]
 pub(crate) struct Exploration {
     /// By reading.
-    treated: Vec<Treated>,
+    treated: Vec<RunsByTreatment>,
     /// K once more, its filter without optic flow (A = 0), by the first reading.
     pub(super) without_flow: Vec<Flight>,
     /// K once more with this project's default slowing near walls, by the first reading.
@@ -83,7 +83,7 @@ impl Exploration {
     }
 
     /// Names of readings, and what was flown.
-    pub(super) fn readings(&self) -> impl Iterator<Item = (&'static str, &Treated)> {
+    pub(super) fn readings(&self) -> impl Iterator<Item = (&'static str, &RunsByTreatment)> {
         READINGS.iter().map(|(name, ..)| *name).zip(&self.treated)
     }
 
@@ -98,7 +98,7 @@ impl Exploration {
     }
 }
 
-fn treated(raw: bool, sets: &[&str]) -> Result<Treated, PaperError> {
+fn treated(raw: bool, sets: &[&str]) -> Result<RunsByTreatment, PaperError> {
     let fly = |(treatment, [signal, tolerance]): (&&str, [&str; 2])| {
         let launch = if raw && *treatment != "K" { "raw" } else { "filtered" };
         let launch = format!("takeoff.launch_signal=\"{launch}\"");
@@ -109,15 +109,16 @@ fn treated(raw: bool, sets: &[&str]) -> Result<Treated, PaperError> {
 }
 
 fn variant(sets: &[&str]) -> Result<Vec<Flight>, PaperError> {
-    let asked = Asked { source: scenario("circuit-frontiers2021"), sets, vary: &[], replicates: REPLICATES };
-    Ok(chains(asked, fly)?.into_iter().flatten().collect())
+    let experiment =
+        Experiment { source: scenario("circuit-frontiers2021"), sets, vary: &[], replicates: REPLICATES };
+    Ok(chains(experiment, fly)?.into_iter().flatten().collect())
 }
 
 fn fly(course: &Course, one: Run) -> Result<Flight, RunError> {
-    let Watched { samples, summary, shown } = watch(course, one)?;
+    let Trace { samples, summary, recorded } = record_trace(course, one)?;
     Ok(Flight {
         samples,
-        shown,
+        recorded,
         launches_s: summary.launches_s,
         relays_used: summary.relays_used,
         relays_needed: summary.relays_needed,
@@ -142,7 +143,7 @@ impl Flight {
     /// whichever is later, to the end (m). `None` without convergence, or on the ground.
     pub(super) fn spread_m(&self, relay: usize) -> Option<f64> {
         self.launches_s.get(relay)?;
-        Some(deviation(&self.depths_m(relay, self.converged_s()?.max(STOP_S))))
+        Some(standard_deviation(&self.depths_m(relay, self.converged_s()?.max(STOP_S))))
     }
 
     /// The same within windows of ten seconds at the end: what noise does, without drift (m). `None` as well if
@@ -154,7 +155,7 @@ impl Flight {
             return None;
         }
         let depths_m = self.depths_m(relay, DURATION_S - END_S);
-        let windows: Vec<f64> = depths_m.chunks_exact(WINDOW).map(deviation).collect();
+        let windows: Vec<f64> = depths_m.chunks_exact(WINDOW).map(standard_deviation).collect();
         let square = windows.iter().map(|spread_m| spread_m * spread_m).sum::<f64>();
         (!windows.is_empty()).then(|| (square / windows.len() as f64).sqrt())
     }
@@ -190,7 +191,7 @@ impl Flight {
 }
 
 /// Standard deviation.
-fn deviation(values: &[f64]) -> f64 {
+fn standard_deviation(values: &[f64]) -> f64 {
     let n = values.len() as f64;
     let mean = values.iter().sum::<f64>() / n;
     (values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / n).sqrt()

@@ -9,11 +9,11 @@ use uchain_sim::{
     sweep::Run,
 };
 
-use super::watch::{Sample, Watched, marks, spread, watch};
+use super::trace::{Sample, Trace, loss_curves, record_trace, spread};
 use crate::{
-    Flights, Item, Outcome, PaperError, Row, Table,
-    flights::{Asked, Shown, chains, written},
-    outcome::{cell, shown},
+    Item, Outcome, PaperError, Row, RunCache, Table,
+    experiment::{Experiment, RecordedRun, chains, inline_scenario},
+    outcome::{cell, mean_with_interval},
 };
 
 pub(crate) const FIG4ABC: Item = Item {
@@ -56,7 +56,7 @@ struct Levelling {
     /// Where relays start, head first (m).
     starts_m: Vec<f64>,
     /// Of the first run.
-    shown: Option<Shown>,
+    recorded: Option<RecordedRun>,
     converged_s: Option<f64>,
     end_spread_db: Option<f64>,
     samples: Vec<Sample>,
@@ -115,18 +115,18 @@ fn level(course: &Course, one: Run, heading: Heading) -> Result<Levelling, RunEr
     let course = scattered(course, one.seed, heading);
     let relays = course.spawns.iter().skip(1);
     let starts_m = relays.filter_map(|spawn| course.depth_m(spawn.at)).map(f64::from).collect();
-    let Watched { mut samples, summary, shown } = watch(&course, one)?;
+    let Trace { mut samples, summary, recorded } = record_trace(&course, one)?;
     samples.retain(|sample| sample.links.len() == RELAYS + 1);
     let is_level = |sample: &&Sample| sample.time_s >= FROM_S && spread(sample.true_db()) < LEVEL_DB;
     let converged_s = samples.iter().find(is_level).map(|sample| sample.time_s);
     let end_spread_db = summary.spread_db.map(f64::from);
-    if shown.is_none() {
+    if recorded.is_none() {
         samples.clear();
     }
-    Ok(Levelling { starts_m, shown, converged_s, end_spread_db, samples })
+    Ok(Levelling { starts_m, recorded, converged_s, end_spread_db, samples })
 }
 
-fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
+fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     let mut outcome = Outcome {
         setup: format!(
             "4 links over {HEAD_M} m: the head stays, {RELAYS} relays start at random places of a corridor {WIDTH_M} m wide, \
@@ -142,22 +142,25 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
     );
     let (mut axes, mut in_the_corner) = (Vec::new(), None);
     for (panel, (name, centre_line)) in ["A", "B", "C"].iter().zip(CORRIDORS) {
-        let source = written(name, scenario(name, centre_line));
-        let asked = Asked { source, sets: &[], vary: &[], replicates: STARTS };
-        let all: Vec<Levelling> =
-            chains(asked, |course, run| level(course, run, Heading::Across))?.into_iter().flatten().collect();
+        let source = inline_scenario(name, scenario(name, centre_line));
+        let experiment = Experiment { source, sets: &[], vary: &[], replicates: STARTS };
+        let all: Vec<Levelling> = chains(experiment, |course, run| level(course, run, Heading::Across))?
+            .into_iter()
+            .flatten()
+            .collect();
         let runs = all.get(..REPLICATES).unwrap_or(&all);
         let times: Vec<f64> = runs.iter().filter_map(|run| run.converged_s).collect();
         let spreads: Vec<f64> = runs.iter().filter_map(|run| run.end_spread_db).collect();
         outcome.rows.push(Row::claim(
             &format!("{name}: runs that converge"),
             "30 of 30",
-            format!("{} of {}, after {}", times.len(), runs.len(), shown(&times, 1, " s")),
+            format!("{} of {}, after {}", times.len(), runs.len(), mean_with_interval(&times, 1, " s")),
             times.len() == runs.len(),
         ));
-        outcome
-            .rows
-            .push(Row::fact(&format!("{name}: spread of the links at the end"), shown(&spreads, 2, " dB")));
+        outcome.rows.push(Row::fact(
+            &format!("{name}: spread of the links at the end"),
+            mean_with_interval(&spreads, 2, " dB"),
+        ));
         let converged = all.iter().filter(|run| run.converged_s.is_some()).count();
         outcome.rows.push(Row::fact(
             &format!("{name}: of {STARTS} starts, runs that converge"),
@@ -176,8 +179,8 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
         if let Some(run) = runs.first() {
             axes.push(panel_of(&format!("{panel}. {name}"), run));
         }
-        if let Some(shown) = runs.first().and_then(|run| run.shown.as_ref()) {
-            outcome.pictures.push((format!("fig4abc-{name}"), shown.picture()?));
+        if let Some(recorded) = runs.first().and_then(|run| run.recorded.as_ref()) {
+            outcome.pictures.push((format!("fig4abc-{name}"), recorded.picture()?));
         }
     }
     outcome.notes = vec![
@@ -213,9 +216,9 @@ fn who_never_converges(all: &[Levelling]) -> String {
 fn corner(all: &[Levelling], centre_line: &str) -> Result<[Row; 2], PaperError> {
     let beyond: Vec<&Levelling> = all.iter().filter(|run| is_beyond(run)).collect();
     let converged = beyond.iter().filter(|run| run.converged_s.is_some()).count();
-    let source = written("corner", scenario("corner", centre_line));
-    let asked = Asked { source, sets: &[], vary: &[], replicates: REPLICATES as u64 };
-    let along = chains(asked, |course, run| level(course, run, Heading::Along))?;
+    let source = inline_scenario("corner", scenario("corner", centre_line));
+    let experiment = Experiment { source, sets: &[], vary: &[], replicates: REPLICATES as u64 };
+    let along = chains(experiment, |course, run| level(course, run, Heading::Along))?;
     let straight = along.iter().flatten().filter(|run| run.converged_s.is_some()).count();
     Ok([
         Row::fact(
@@ -235,7 +238,7 @@ fn panel_of(title: &str, run: &Levelling) -> Axes {
         x: "time (s)".to_owned(),
         y: "loss (dB)".to_owned(),
         height: 180.0,
-        marks: marks(&run.samples, true),
+        marks: loss_curves(&run.samples, true),
         ..Axes::default()
     }
 }

@@ -7,13 +7,13 @@ use uchain_sim::{
 
 use super::{
     exploration::{
-        DURATION_S, END_S, Exploration, Flight, REPLICATES, S_MIN_DB, STOP_S, TREATMENTS, Treated,
+        DURATION_S, END_S, Exploration, Flight, REPLICATES, RunsByTreatment, S_MIN_DB, STOP_S, TREATMENTS,
     },
-    watch::marks,
+    trace::loss_curves,
 };
 use crate::{
-    Flights, Item, Outcome, PaperError, Row, Table,
-    outcome::{cell, is_significant, p_value, shown},
+    Item, Outcome, PaperError, Row, RunCache, Table,
+    outcome::{cell, is_significant, mean_with_interval, p_value},
 };
 
 pub(crate) const FIG4D: Item = Item {
@@ -32,8 +32,8 @@ readings of the paper: *authors' simulator*: launches on the filtered signal und
 launch on the raw signal, as the text says; *as printed*: that, and Eq. 12 with at most 0.3 m/s in place of the authors' speed \
 law.";
 
-fn regenerate(flights: &Flights) -> Result<Outcome, PaperError> {
-    let flown = flights.exploration()?;
+fn regenerate(cache: &RunCache) -> Result<Outcome, PaperError> {
+    let flown = cache.exploration()?;
     let mut outcome = Outcome { setup: SETUP.to_owned(), notes: notes(flown), ..Outcome::default() };
     for (how, treated) in flown.readings() {
         outcome.rows.extend(launches(treated, how));
@@ -70,8 +70,8 @@ fn regenerate(flights: &Flights) -> Result<Outcome, PaperError> {
     let title = "Losses in an exploration, three treatments, one run each (Laclau 2021, Fig. 4D)".to_owned();
     outcome.draw("fig4d", &Figure { title, axes: axes.collect() })?;
     for (treatment, runs) in TREATMENTS.iter().zip(flown.raw()) {
-        if let Some(shown) = runs.first().and_then(|run| run.shown.as_ref()) {
-            outcome.pictures.push((format!("fig4d-{treatment}"), shown.picture()?));
+        if let Some(recorded) = runs.first().and_then(|run| run.recorded.as_ref()) {
+            outcome.pictures.push((format!("fig4d-{treatment}"), recorded.picture()?));
         }
     }
     Ok(outcome)
@@ -82,7 +82,7 @@ fn fourth(runs: &[Flight]) -> usize {
 }
 
 /// Fourth launches under each treatment, their order, and on which side of the threshold the chain is.
-fn launches(treated: &Treated, how: &str) -> Vec<Row> {
+fn launches(treated: &RunsByTreatment, how: &str) -> Vec<Row> {
     let [t0, t5, k] = [0, 1, 2].map(|i| treated.get(i).map_or(&[][..], Vec::as_slice));
     let words = |runs: &[Flight]| {
         let late = runs.iter().filter(|run| run.fourth_s().is_some_and(|at_s| at_s >= STOP_S)).count();
@@ -110,8 +110,8 @@ fn launches(treated: &Treated, how: &str) -> Vec<Row> {
             "kept there",
             format!(
                 "after the stop above it for {} of the time (T0 {}); in the last {END_S} s in {} of {} runs (T0 {})",
-                shown(&above(k), 1, " %"),
-                shown(&above(t0), 1, " %"),
+                mean_with_interval(&above(k), 1, " %"),
+                mean_with_interval(&above(t0), 1, " %"),
                 late(k),
                 k.len(),
                 late(t0)
@@ -132,9 +132,10 @@ fn needed(runs: &[Flight]) -> String {
 }
 
 fn notes(flown: &Exploration) -> Vec<String> {
-    let reach =
-        |runs: &[Flight]| shown(&runs.iter().map(|run| run.head_reach_m).collect::<Vec<_>>(), 1, " m");
-    let counts = |(name, treated): (&str, &Treated)| {
+    let reach = |runs: &[Flight]| {
+        mean_with_interval(&runs.iter().map(|run| run.head_reach_m).collect::<Vec<_>>(), 1, " m")
+    };
+    let counts = |(name, treated): (&str, &RunsByTreatment)| {
         let counts: Vec<String> = treated.iter().map(|runs| fourth(runs).to_string()).collect();
         format!("{} ({name})", counts.join(", "))
     };
@@ -167,7 +168,7 @@ fn notes(flown: &Exploration) -> Vec<String> {
 fn stretched(treated: &[Vec<Flight>]) -> String {
     let times = |runs: &Vec<Flight>| runs.iter().filter_map(Flight::head_within_s).collect::<Vec<f64>>();
     let of = |(treatment, runs): (&&str, &Vec<Flight>)| {
-        format!("{} under {treatment}", shown(&times(runs), 1, " s"))
+        format!("{} under {treatment}", mean_with_interval(&times(runs), 1, " s"))
     };
     let words: Vec<String> = TREATMENTS.iter().zip(treated).map(of).collect();
     let is_late = treated.iter().all(|runs| times(runs).iter().all(|within_s| *within_s > STOP_S));
@@ -221,7 +222,7 @@ fn panel(name: &str, run: &Flight) -> Axes {
         x: "time (s)".to_owned(),
         y: "loss (dB)".to_owned(),
         height: 210.0,
-        marks: std::iter::once(level).chain(marks(&run.samples, is_filtered)).collect(),
+        marks: std::iter::once(level).chain(loss_curves(&run.samples, is_filtered)).collect(),
         ..Axes::default()
     }
 }
@@ -234,7 +235,7 @@ mod tests {
     fn runs(fourth: usize) -> Vec<Flight> {
         let run = |i: usize| Flight {
             samples: Vec::new(),
-            shown: None,
+            recorded: None,
             launches_s: if i < fourth { vec![0.0, 14.0, 48.0, 70.0] } else { vec![0.0, 14.0, 48.0] },
             relays_used: if i < fourth { 3 } else { 2 },
             relays_needed: Some(2),

@@ -6,21 +6,24 @@ use uchain_sim::{
 };
 
 use super::{
-    exploration::{DURATION_S, FROM_S, Flight, LEVEL_DB, LINKS, PARKED_DB, STOP_S, TREATMENTS, Treated},
+    exploration::{
+        DURATION_S, FROM_S, Flight, LEVEL_DB, LINKS, PARKED_DB, RunsByTreatment, STOP_S, TREATMENTS,
+    },
     fig4d::SETUP,
 };
 use crate::{
-    Flights, Item, Outcome, PaperError, Row, Table,
-    outcome::{cell, is_significant, p_value, shown, tendency},
+    Item, Outcome, PaperError, Row, RunCache, Table,
+    outcome::{cell, is_significant, mann_whitney, mean_with_interval, p_value},
 };
 
 pub(crate) const FIG4E: Item =
     Item { id: "fig4e", title: "convergence time of T0, T5 and K (Laclau 2021, Fig. 4E)", run: regenerate };
 
-/// K counts as about as fast as T0 when it is slower by no more than this share of T0's mean, with 95 % confidence.
-const ABOUT: f64 = 0.1;
+/// K counts as about as fast as T0 when it is slower by no more than this share of T0's mean, with 95 % confidence
+/// (non-inferiority margin).
+const NON_INFERIORITY_MARGIN: f64 = 0.1;
 
-/// Who does not converge takes the whole run, at least (s).
+/// Convergence time; a run that does not converge counts with its whole length (censored data) (s).
 fn time_s(run: &Flight) -> f64 {
     run.converged_s().unwrap_or(DURATION_S)
 }
@@ -29,10 +32,10 @@ fn times(runs: &[Flight]) -> Vec<f64> {
     runs.iter().map(time_s).collect()
 }
 
-fn regenerate(flights: &Flights) -> Result<Outcome, PaperError> {
+fn regenerate(cache: &RunCache) -> Result<Outcome, PaperError> {
     let (mut rows, mut axes) = (Vec::new(), Vec::new());
     let mut table = Table::new("fig4e", &["reading", "treatment", "replicate", "converged_s"]);
-    let exploration = flights.exploration()?;
+    let exploration = cache.exploration()?;
     for (how, treated) in exploration.readings() {
         rows.extend(verdicts(how, treated));
         for (treatment, runs) in TREATMENTS.iter().zip(treated) {
@@ -64,7 +67,7 @@ fn regenerate(flights: &Flights) -> Result<Outcome, PaperError> {
         ),
         format!(
             "About as fast: with 95 % confidence later by no more than {:.0} % of T0's mean. {}",
-            100.0 * ABOUT,
+            100.0 * NON_INFERIORITY_MARGIN,
             early_relays(exploration.readings())
         ),
         early_levels(exploration.readings()),
@@ -75,7 +78,7 @@ fn regenerate(flights: &Flights) -> Result<Outcome, PaperError> {
 }
 
 /// Where K is later than T0, and whether the second relay of T0 takes off earlier there.
-fn early_relays<'a>(readings: impl Iterator<Item = (&'static str, &'a Treated)>) -> String {
+fn early_relays<'a>(readings: impl Iterator<Item = (&'static str, &'a RunsByTreatment)>) -> String {
     let (mut later, mut launches) = (Vec::new(), Vec::new());
     for (how, treated) in readings {
         let [t0, k] = [0, 2].map(|i: usize| treated.get(i).map_or(&[][..], Vec::as_slice));
@@ -84,8 +87,8 @@ fn early_relays<'a>(readings: impl Iterator<Item = (&'static str, &'a Treated)>)
         };
         launches.push(format!(
             "{} against {} ({how})",
-            shown(&second(t0), 1, " s"),
-            shown(&second(k), 1, " s")
+            mean_with_interval(&second(t0), 1, " s"),
+            mean_with_interval(&second(k), 1, " s")
         ));
         if is_significant(is_less_in_pairs(&times(t0), &times(k))) {
             let is_early = is_significant(is_less_in_pairs(&second(t0), &second(k)));
@@ -119,7 +122,7 @@ fn early_relays<'a>(readings: impl Iterator<Item = (&'static str, &'a Treated)>)
 }
 
 /// Runs that are level for a moment before the head stops, and what is left of K's delay without them.
-fn early_levels<'a>(readings: impl Iterator<Item = (&'static str, &'a Treated)>) -> String {
+fn early_levels<'a>(readings: impl Iterator<Item = (&'static str, &'a RunsByTreatment)>) -> String {
     let is_early = |run: &Flight| run.converged_s().is_some_and(|at_s| at_s < STOP_S);
     let (mut counts, mut rest) = (Vec::new(), Vec::new());
     for (how, treated) in readings {
@@ -131,7 +134,10 @@ fn early_levels<'a>(readings: impl Iterator<Item = (&'static str, &'a Treated)>)
         let left = pairs.iter().filter(|(t0, k)| !is_early(t0) && !is_early(k));
         let left: Vec<f64> = left.map(|(t0, k)| time_s(k) - time_s(t0)).collect();
         if left.len() < pairs.len() {
-            rest.push(format!(" Without such pairs K is later by {} ({how}).", shown(&left, 1, " s")));
+            rest.push(format!(
+                " Without such pairs K is later by {} ({how}).",
+                mean_with_interval(&left, 1, " s")
+            ));
         }
     }
     format!(
@@ -142,11 +148,16 @@ fn early_levels<'a>(readings: impl Iterator<Item = (&'static str, &'a Treated)>)
     )
 }
 
-fn verdicts(how: &str, treated: &Treated) -> Vec<Row> {
+fn verdicts(how: &str, treated: &RunsByTreatment) -> Vec<Row> {
     let of = |i: usize| treated.get(i).map_or(&[][..], Vec::as_slice);
     let converged = |i: usize| of(i).iter().filter(|run| run.converged_s().is_some()).count();
     let words = |(i, treatment): (usize, &&str)| {
-        format!("{treatment} {} of {}, after {}", converged(i), of(i).len(), shown(&times(of(i)), 1, " s"))
+        format!(
+            "{treatment} {} of {}, after {}",
+            converged(i),
+            of(i).len(),
+            mean_with_interval(&times(of(i)), 1, " s")
+        )
     };
     let all = TREATMENTS.iter().enumerate().map(words).collect::<Vec<_>>();
     let mut rows = vec![Row::claim(
@@ -160,17 +171,17 @@ fn verdicts(how: &str, treated: &Treated) -> Vec<Row> {
     rows.push(Row::claim(
         &format!("T5 slower than T0, {how}"),
         "slower",
-        format!("{}; in pairs {}", tendency(p), p_value(is_less_in_pairs(&t0, &t5))),
+        format!("{}; in pairs {}", mann_whitney(p), p_value(is_less_in_pairs(&t0, &t5))),
         is_significant(p.map(|of| of.p)),
     ));
     let later: Vec<f64> = k.iter().zip(&t0).map(|(k, t0)| k - t0).collect();
-    let margin_s = ABOUT * t0.iter().sum::<f64>() / t0.len() as f64;
+    let margin_s = NON_INFERIORITY_MARGIN * t0.iter().sum::<f64>() / t0.len() as f64;
     let most_s = Estimate::of(&later).map_or(f64::INFINITY, |estimate| estimate.interval().1);
-    let slower = tendency(tends_to_be_less(&t0, &k));
+    let slower = mann_whitney(tends_to_be_less(&t0, &k));
     rows.push(Row::claim(
         &format!("K about as fast as T0 or faster, {how}"),
         "about as fast or faster",
-        format!("later by {}; slower: {slower}", shown(&later, 1, " s")),
+        format!("later by {}; slower: {slower}", mean_with_interval(&later, 1, " s")),
         most_s <= margin_s,
     ));
     rows
@@ -178,7 +189,7 @@ fn verdicts(how: &str, treated: &Treated) -> Vec<Row> {
 
 #[cfg(test)]
 mod tests {
-    use super::{super::watch::Sample, *};
+    use super::{super::trace::Sample, *};
     use crate::Verdict;
     use uchain_sim::record::LinkFrame;
 
@@ -192,7 +203,7 @@ mod tests {
         };
         Flight {
             samples: (0..600).map(|decision| sample(f64::from(decision) * 0.2)).collect(),
-            shown: None,
+            recorded: None,
             launches_s: vec![0.0, 14.0, 48.0],
             relays_used: 2,
             relays_needed: Some(2),

@@ -9,13 +9,13 @@ use uchain_sim::{
 };
 
 use super::{
-    exploration::{END_S, Exploration, Flight, PRINTED, S_MIN_DB, TREATMENTS, Treated},
+    exploration::{END_S, Exploration, Flight, PRINTED, RunsByTreatment, S_MIN_DB, TREATMENTS},
     fig4d::SETUP,
 };
 use crate::{
-    Flights, Item, Outcome, PaperError, Row, Table,
-    flights::scenario,
-    outcome::{cell, is_significant, shown, tendency},
+    Item, Outcome, PaperError, Row, RunCache, Table,
+    experiment::scenario,
+    outcome::{cell, is_significant, mann_whitney, mean_with_interval},
 };
 
 pub(crate) const FIG4F: Item = Item {
@@ -34,12 +34,13 @@ fn end_spreads(runs: &[Flight], relay: usize) -> Vec<f64> {
     runs.iter().filter_map(|run| run.end_spread_m(relay)).collect()
 }
 
-fn regenerate(flights: &Flights) -> Result<Outcome, PaperError> {
+fn regenerate(cache: &RunCache) -> Result<Outcome, PaperError> {
     let mut single =
         Table::new("fig4f", &["reading", "treatment", "relay", "replicate", "spread_m", "end_spread_m"]);
-    let mut table = Table::shown(&["reading", "treatment", "relay", "spread (m)", "in 10 s, at the end (m)"]);
+    let mut table =
+        Table::for_report(&["reading", "treatment", "relay", "spread (m)", "in 10 s, at the end (m)"]);
     let (mut rows, mut axes) = (Vec::new(), Vec::new());
-    let exploration = flights.exploration()?;
+    let exploration = cache.exploration()?;
     for (how, treated) in exploration.readings() {
         for relay in [1, 2] {
             rows.extend(verdicts(how, relay, treated));
@@ -87,8 +88,8 @@ fn regenerate(flights: &Flights) -> Result<Outcome, PaperError> {
 fn counted(sample: &[f64]) -> String {
     match sample.len() {
         0 => "no run".to_owned(),
-        1 => format!("{}, 1 run", shown(sample, 3, "")),
-        runs => format!("{}, {runs} runs", shown(sample, 3, "")),
+        1 => format!("{}, 1 run", mean_with_interval(sample, 3, "")),
+        runs => format!("{}, {runs} runs", mean_with_interval(sample, 3, "")),
     }
 }
 
@@ -99,16 +100,17 @@ fn notes(flown: &Exploration) -> Result<Vec<String>, PaperError> {
         chosen.filter_map(|run| run.spread_m(relay)).collect()
     };
     let moved = [1, 2].map(|relay| {
-        let [with, without] = [true, false].map(|has_fourth| shown(&of_all(relay, has_fourth), 2, " m"));
+        let [with, without] =
+            [true, false].map(|has_fourth| mean_with_interval(&of_all(relay, has_fourth), 2, " m"));
         format!("relay {relay} {with} in runs with one and {without} in those without")
     });
-    let of_readings = |(name, treated): (&str, &Treated)| {
+    let of_readings = |(name, treated): (&str, &RunsByTreatment)| {
         let count =
             |runs: &Vec<Flight>| runs.iter().filter(|run| run.fourth_s().is_some()).count().to_string();
         format!("{} ({name})", treated.iter().map(count).collect::<Vec<_>>().join(", "))
     };
     let counts: Vec<String> = flown.readings().map(of_readings).collect();
-    let still = |(_, treated): &(&str, &Treated)| {
+    let still = |(_, treated): &(&str, &RunsByTreatment)| {
         let of = |i: usize| treated.get(i).map_or(Vec::new(), |runs| end_spreads(runs, 1));
         is_significant(tends_to_be_less(&of(2), &of(1)).map(|tendency| tendency.p))
     };
@@ -144,13 +146,13 @@ fn step_mm(sets: &[&str]) -> Result<f64, PaperError> {
     Ok(1000.0 * f64::from((speed_mps * params.decision_s).abs()))
 }
 
-fn verdicts(how: &str, relay: usize, treated: &Treated) -> Vec<Row> {
+fn verdicts(how: &str, relay: usize, treated: &RunsByTreatment) -> Vec<Row> {
     let order = |(large, small): (usize, usize)| {
         let (a, b) = (treated.get(small)?, treated.get(large)?);
         let whole = tends_to_be_less(&spreads(a, relay), &spreads(b, relay));
         let end = tends_to_be_less(&end_spreads(a, relay), &end_spreads(b, relay));
         let what = format!("{} above {}, relay {relay}, {how}", TREATMENTS[large], TREATMENTS[small]);
-        let ours = format!("{}; since convergence {}", tendency(end), tendency(whole));
+        let ours = format!("{}; since convergence {}", mann_whitney(end), mann_whitney(whole));
         Some(match end {
             Some(Tendency { p, .. }) => Row::claim(&what, "larger", ours, is_significant(Some(p))),
             None => Row::unjudged(&what, "larger", ours),

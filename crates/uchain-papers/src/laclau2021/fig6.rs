@@ -8,11 +8,11 @@ use uchain_sim::{
     sweep::Run,
 };
 
-use super::watch::{Sample, Watched, marks, spread, watch};
+use super::trace::{Sample, Trace, loss_curves, record_trace, spread};
 use crate::{
-    Flights, Item, Outcome, PaperError, Row, Table,
-    flights::{Asked, Shown, chains, scenario},
-    outcome::{cell, shown},
+    Item, Outcome, PaperError, Row, RunCache, Table,
+    experiment::{Experiment, RecordedRun, chains, scenario},
+    outcome::{cell, mean_with_interval},
 };
 
 pub(crate) const FIG6: Item = Item {
@@ -46,7 +46,7 @@ struct Flown {
     spread_db: Option<f64>,
     relays_needed: Option<usize>,
     /// Of the first run.
-    shown: Option<Shown>,
+    recorded: Option<RecordedRun>,
 }
 
 impl Flown {
@@ -97,19 +97,20 @@ impl Flown {
 }
 
 fn fly(course: &Course, one: Run) -> Result<Flown, RunError> {
-    let Watched { samples, summary, shown } = watch(course, one)?;
+    let Trace { samples, summary, recorded } = record_trace(course, one)?;
     Ok(Flown {
         samples,
         launches_s: summary.launches_s,
         spread_db: summary.spread_db.map(f64::from),
         relays_needed: summary.relays_needed,
-        shown,
+        recorded,
     })
 }
 
-fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
-    let asked = Asked { source: scenario("circuit-cavemod"), sets: &SETS, vary: &[], replicates: REPLICATES };
-    let runs: Vec<Flown> = chains(asked, fly)?.into_iter().flatten().collect();
+fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
+    let experiment =
+        Experiment { source: scenario("circuit-cavemod"), sets: &SETS, vary: &[], replicates: REPLICATES };
+    let runs: Vec<Flown> = chains(experiment, fly)?.into_iter().flatten().collect();
     let mut table = Table::new(
         "fig6",
         &["replicate", "launches", "relays_needed", "spread_db", "worst_db", "gap_0_m", "gap_1_m", "gap_2_m"],
@@ -147,8 +148,8 @@ fn regenerate(_: &Flights) -> Result<Outcome, PaperError> {
         ..Outcome::default()
     };
     outcome.draw("fig6", &picture(runs.first()))?;
-    if let Some(shown) = runs.first().and_then(|run| run.shown.as_ref()) {
-        outcome.pictures.push(("fig6-circuit".to_owned(), shown.picture()?));
+    if let Some(recorded) = runs.first().and_then(|run| run.recorded.as_ref()) {
+        outcome.pictures.push(("fig6-circuit".to_owned(), recorded.picture()?));
     }
     Ok(outcome)
 }
@@ -173,25 +174,25 @@ fn rows(runs: &[Flown]) -> Vec<Row> {
         Row::claim(
             "true loss of the last link at a launch",
             "the limit (60 dB)",
-            shown(&at_launch, 2, " dB"),
+            mean_with_interval(&at_launch, 2, " dB"),
             (launch_mean_db - S_MIN_DB).abs() <= AT_LAUNCH_DB,
         ),
         Row::claim(
             "runs with three equal links at the end",
             "equal",
-            format!("{equal} of {}, spread {}", whole.len(), shown(&spreads, 2, " dB")),
+            format!("{equal} of {}, spread {}", whole.len(), mean_with_interval(&spreads, 2, " dB")),
             equal == whole.len(),
         ),
         Row::claim(
             "runs with all links below the limit at the end",
             "below",
-            format!("{below} of {}, worst link {}", whole.len(), shown(&worst, 2, " dB")),
+            format!("{below} of {}, worst link {}", whole.len(), mean_with_interval(&worst, 2, " dB")),
             below == whole.len(),
         ),
         Row::claim(
             "spacing along the tunnel at the end, longest over shortest",
             "unequal",
-            shown(&ratios, 2, ""),
+            mean_with_interval(&ratios, 2, ""),
             ratio_low > UNEQUAL,
         ),
     ]
@@ -200,7 +201,7 @@ fn rows(runs: &[Flown]) -> Vec<Row> {
 /// After Fig. 6B.
 fn picture(run: Option<&Flown>) -> Figure {
     let level = Mark::Level { name: "s_min".to_owned(), y: S_MIN_DB };
-    let losses = run.map_or_else(Vec::new, |run| marks(&run.samples, true));
+    let losses = run.map_or_else(Vec::new, |run| loss_curves(&run.samples, true));
     let axes = Axes {
         title: "solid: filtered, dashed: true, light: raw".to_owned(),
         x: "time (s)".to_owned(),

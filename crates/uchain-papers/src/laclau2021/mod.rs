@@ -1,4 +1,4 @@
-//! Laclau 2021: a chain that levels its links.
+//! Laclau 2021 (U-Chain): a relay chain of UAVs that equalizes the losses of its links.
 
 mod exploration;
 mod fig4abc;
@@ -6,7 +6,7 @@ mod fig4d;
 mod fig4e;
 mod fig4f;
 mod fig6;
-mod watch;
+mod trace;
 
 pub(super) use exploration::Exploration;
 pub(super) use fig4abc::FIG4ABC;

@@ -1,4 +1,4 @@
-//! What the figures need of every decision, and how they draw it.
+//! Time series of a run: losses and depths at every decision, and how the figures draw them.
 
 use uchain_sim::{
     analyse::Summary,
@@ -9,7 +9,7 @@ use uchain_sim::{
     sweep::Run,
 };
 
-use crate::flights::Shown;
+use crate::experiment::RecordedRun;
 
 /// On a ring, somebody deeper than this share of a round stands behind the base: nobody flies that far.
 const BEHIND: f64 = 0.75;
@@ -40,30 +40,30 @@ pub(super) fn spread(values: impl Iterator<Item = f64>) -> f64 {
     high - low
 }
 
-/// A run, and what was seen of it.
-pub(super) struct Watched {
+/// The time series of a run, and its summary.
+pub(super) struct Trace {
     pub(super) samples: Vec<Sample>,
     pub(super) summary: Summary,
     /// Of the first replicate.
-    pub(super) shown: Option<Shown>,
+    pub(super) recorded: Option<RecordedRun>,
 }
 
-/// Flies a run.
-pub(super) fn watch(course: &Course, one: Run) -> Result<Watched, RunError> {
-    let mut watch = Watch { course, samples: Vec::new() };
+/// Flies a run and records its time series.
+pub(super) fn record_trace(course: &Course, one: Run) -> Result<Trace, RunError> {
+    let mut recorder = TraceRecorder { course, samples: Vec::new() };
     let mut history = (one.replicate == 0).then(History::default);
-    let summary = run(course, one.seed, &mut (&mut watch, &mut history))?;
-    let shown = history.map(|history| Shown::new(course, history, &summary));
-    Ok(Watched { samples: watch.samples, summary, shown })
+    let summary = run(course, one.seed, &mut (&mut recorder, &mut history))?;
+    let recorded = history.map(|history| RecordedRun::new(course, history, &summary));
+    Ok(Trace { samples: recorder.samples, summary, recorded })
 }
 
-/// Keeps every decision.
-struct Watch<'a> {
+/// Records every decision.
+struct TraceRecorder<'a> {
     course: &'a Course,
     samples: Vec<Sample>,
 }
 
-impl Recorder for Watch<'_> {
+impl Recorder for TraceRecorder<'_> {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         if !frame.decision {
             return Ok(());
@@ -84,9 +84,9 @@ impl Recorder for Watch<'_> {
     }
 }
 
-/// Losses over time as the authors draw them: true ones dashed, raw ones light, and filtered ones where they are what
-/// relays go by.
-pub(super) fn marks(samples: &[Sample], is_filtered: bool) -> Vec<Mark> {
+/// Curves of the losses over time as the authors draw them: true ones dashed, raw ones light, and filtered ones where
+/// they are what relays go by.
+pub(super) fn loss_curves(samples: &[Sample], is_filtered: bool) -> Vec<Mark> {
     let links = samples.iter().map(|sample| sample.links.len()).max().unwrap_or(0);
     let line = |link: usize, kind: &str, stroke, of: fn(&LinkFrame) -> Option<f32>| {
         let point = |sample: &Sample| Some((sample.time_s, f64::from(of(sample.links.get(link)?)?)));

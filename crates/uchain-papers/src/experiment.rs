@@ -1,6 +1,5 @@
-//! Runs of a design in memory, on all processors, and those that several items share.
-
-use std::sync::OnceLock;
+//! Experiments: a scenario flown with every combination of some values (a factorial design), several replicates of each,
+//! on all processors, results in memory.
 
 use uchain_sim::{
     analyse::Summary,
@@ -11,53 +10,39 @@ use uchain_sim::{
     sweep::{Design, DesignText, Run, Sweep},
 };
 
-use super::{PaperError, SEED, laclau2021::Exploration};
+use super::{PaperError, SEED};
 
-/// Runs that several items show, flown when the first one asks.
-#[derive(Debug, Default)]
-pub struct Flights {
-    exploration: OnceLock<Exploration>,
-}
-
-impl Flights {
-    /// The exploration of Laclau 2021, Fig. 4D to F.
-    pub(crate) fn exploration(&self) -> Result<&Exploration, PaperError> {
-        if let Some(flown) = self.exploration.get() {
-            return Ok(flown);
-        }
-        let flown = Exploration::fly()?;
-        Ok(self.exploration.get_or_init(|| flown))
-    }
-}
-
-/// What is flown.
-pub(crate) struct Asked<'a> {
+/// A factorial design over one scenario.
+pub(crate) struct Experiment<'a> {
     pub(crate) source: Source,
+    /// `key=value`, the same in all runs.
     pub(crate) sets: &'a [&'a str],
+    /// `key=value,value,…`: every combination is a variant.
     pub(crate) vary: &'a [String],
+    /// Runs of each variant; those of the same number share their noise (common random numbers).
     pub(crate) replicates: u64,
 }
 
 /// A compiled-in scenario.
 pub(crate) fn scenario(name: &str) -> Source {
     // Names are constants; a wrong one is said by whoever reads the empty text.
-    builtin(name).unwrap_or_else(|| written(name, String::new()))
+    builtin(name).unwrap_or_else(|| inline_scenario(name, String::new()))
 }
 
-/// A scenario of a paper's own.
-pub(crate) fn written(name: &str, text: String) -> Source {
+/// A scenario that is not compiled in: its TOML text.
+pub(crate) fn inline_scenario(name: &str, text: String) -> Source {
     Source { label: format!("<paper {name}>"), text, folder: std::path::PathBuf::new() }
 }
 
-/// A run with all that its picture needs.
+/// A run with the frames that its picture is drawn from.
 #[derive(Debug)]
-pub(crate) struct Shown {
+pub(crate) struct RecordedRun {
     course: Course,
     history: History,
     summary: Summary,
 }
 
-impl Shown {
+impl RecordedRun {
     pub(crate) fn new(course: &Course, history: History, summary: &Summary) -> Self {
         Self { course: course.clone(), history, summary: summary.clone() }
     }
@@ -69,12 +54,12 @@ impl Shown {
 
 /// Does something with every run; results by variant, then by replicate. The first run that fails fails all.
 fn each<T: Send>(
-    asked: Asked<'_>,
+    experiment: Experiment<'_>,
     work: impl Fn(&Mission, Run) -> Option<Result<T, RunError>> + Sync,
 ) -> Result<Vec<Vec<T>>, PaperError> {
-    let design = Design::parse(&DesignText { vary: asked.vary.to_vec(), table: None }, "")?;
-    let sets = asked.sets.iter().map(|set| (*set).to_owned()).collect();
-    let sweep = Sweep::new(asked.source, sets, design, asked.replicates, SEED)?;
+    let design = Design::parse(&DesignText { vary: experiment.vary.to_vec(), table: None }, "")?;
+    let sets = experiment.sets.iter().map(|set| (*set).to_owned()).collect();
+    let sweep = Sweep::new(experiment.source, sets, design, experiment.replicates, SEED)?;
     let mut variants: Vec<Vec<T>> = Vec::new();
     for (index, result) in sweep.each(work).into_iter().enumerate() {
         let run = sweep.run(index as u64);
@@ -98,10 +83,10 @@ fn each<T: Send>(
 
 /// [`each`] run of a chain.
 pub(crate) fn chains<T: Send>(
-    asked: Asked<'_>,
+    experiment: Experiment<'_>,
     work: impl Fn(&Course, Run) -> Result<T, RunError> + Sync,
 ) -> Result<Vec<Vec<T>>, PaperError> {
-    each(asked, |mission, run| match mission {
+    each(experiment, |mission, run| match mission {
         Mission::Chain(course) => Some(work(course, run)),
         Mission::Explore(_) => None,
     })
@@ -109,10 +94,10 @@ pub(crate) fn chains<T: Send>(
 
 /// [`each`] run of an exploration.
 pub(crate) fn explorations<T: Send>(
-    asked: Asked<'_>,
+    experiment: Experiment<'_>,
     work: impl Fn(&Site, Run) -> Result<T, RunError> + Sync,
 ) -> Result<Vec<Vec<T>>, PaperError> {
-    each(asked, |mission, run| match mission {
+    each(experiment, |mission, run| match mission {
         Mission::Chain(_) => None,
         Mission::Explore(site) => Some(work(site, run)),
     })
