@@ -5,6 +5,7 @@
 
 mod args;
 mod exit;
+mod flags;
 mod fly;
 mod output;
 mod paper;

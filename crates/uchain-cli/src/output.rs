@@ -2,6 +2,7 @@
 //! in it is about one run.
 
 mod called;
+pub(crate) mod papers;
 
 use std::{
     fs,
@@ -137,7 +138,7 @@ impl Folder {
             let name = entry.map_err(refuse)?.file_name();
             let name = name.to_string_lossy();
             let is_ours = ALL.iter().any(|names| names.hold(&name))
-                || crate::paper::leaves(&name)
+                || papers::leaves(&name)
                 || name.starts_with(UNFINISHED);
             if !is_ours && !force {
                 return Err(Failure::Occupied { folder: path.to_owned(), found: name.into_owned() });

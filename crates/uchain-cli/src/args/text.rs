@@ -1,4 +1,4 @@
-//! What stands below the options in every help text: examples first.
+//! What stands below the options in the help of the whole, and of commands without a room: examples first.
 
 /// Of the whole; the table of exit codes follows.
 pub(super) const TOP: &str = "\
@@ -27,29 +27,6 @@ Environment:
   NO_COLOR=1, CLICOLOR=0   no colour in help and usage errors; there is none anyway but on a terminal
   CLICOLOR_FORCE=1         colour wherever it goes
   TERM=dumb                no colour and no progress
-";
-
-pub(super) const RUN: &str = "\
-Examples:
-  uchain run corner
-  uchain run corner --seed 7 --set takeoff.s_min_db=55 --set 'pilot.0.follow=left'
-  uchain run apartment --set explore.robots=4 --set explore.strategy=srg
-  uchain run city.map --set map.cell_m=0.25 --set explore.robots=20    a MovingAI map; or map.yaml, a ROS map
-  uchain run ./mine.toml --out results/a --json
-
-Writes run.mcap while it flies (open it in Foxglove or Rerun), then summary.json and run.png. A run that is
-stopped leaves run.mcap, readable up to there. Same scenario, same seed: same digest, bit for bit.
-Of an exploration there is map.yaml with map.pgm besides: what was seen, as a ROS map.
-";
-
-pub(super) const PLAN: &str = "\
-Examples:
-  uchain plan corner
-  uchain plan ./mine.toml --to 12 --uavs 6 --set takeoff.s_min_db=65
-  uchain plan basement.yaml --base=-50.15,34.03 --goal=-3,25.7 --speed 0.1
-
-A bare ROS map (map_server's yaml) needs --base and --goal, in the map's own frame; everything else
-has a default. Writes plan.json and plan.png.
 ";
 
 pub(super) const LIST: &str = "\

@@ -1,5 +1,6 @@
 //! `uchain run`: read, fly and record, draw, write, say.
 
+mod args;
 mod explore;
 
 use uchain_sim::{
@@ -11,11 +12,12 @@ use uchain_sim::{
     run::{RunError, run},
 };
 
+pub(crate) use args::Run;
 use explore::explore;
 
 use crate::{
-    args::{Run, Say},
     exit::Failure,
+    flags::Say,
     output::{Folder, Names, RUN},
     recording::{self, Tape},
     report::Report,

@@ -9,18 +9,16 @@ use clap::{
 use uchain_papers::{ITEMS, Item, Outcome, RunCache, Verdict, report, verdict_table};
 
 use crate::{
-    args::{Out, Quiet},
     exit::Failure,
-    output::Folder,
+    flags::{Out, Quiet},
+    output::{
+        Folder,
+        papers::{REPORT, VERDICTS, leaves},
+    },
 };
 
 /// Stands for every item.
 const ALL: &str = "all";
-/// The report of what was asked for.
-const REPORT: &str = "REPORT.md";
-/// Its rows, for programs.
-const VERDICTS: &str = "verdicts.csv";
-
 const EXAMPLES: &str = "\
 Examples:
   uchain paper all --out again              every figure and table of Laclau 2021 and Kim 2021
@@ -59,18 +57,6 @@ impl Paper {
         let is_asked = |id: &str| self.items.iter().any(|asked| asked == ALL || asked == id);
         ITEMS.iter().filter(move |item| is_asked(item.id))
     }
-}
-
-/// Whether a file of this name may be one of ours.
-pub(crate) fn leaves(name: &str) -> bool {
-    let is_item = |stem: &str| {
-        ITEMS.iter().any(|item| {
-            stem.strip_prefix(item.id).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
-        })
-    };
-    name == REPORT
-        || name == VERDICTS
-        || [".png", ".svg", ".csv"].iter().any(|ending| name.strip_suffix(ending).is_some_and(is_item))
 }
 
 #[expect(clippy::disallowed_methods, reason = "progress tells how long this computer took")]

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use uchain_sim::config::{ConfigError, Course, PilotStep, Source, kind_of_map};
 
-use crate::{args::Plan, exit::Failure};
+use super::Plan;
+use crate::exit::Failure;
 
 /// The head's speed where nobody says (m/s).
 const SPEED_MPS: f32 = 0.2;

@@ -1,5 +1,6 @@
 //! `uchain plan`: read, reckon, draw, write, say.
 
+mod args;
 mod bare;
 mod table;
 
@@ -9,13 +10,13 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use uchain_sim::{analyse::plan, draw, map::Tunnel};
 
 use crate::{
-    args,
     exit::Failure,
     output::{self, Folder},
 };
+pub(crate) use args::Plan;
 use table::{Steps, Table};
 
-pub(crate) fn reckon(asked: &args::Plan) -> Result<(), Failure> {
+pub(crate) fn reckon(asked: &Plan) -> Result<(), Failure> {
     let spinner = spinner(asked.say.progress());
     let (course, uavs) = bare::course(asked)?;
     let folder = asked.out.folder(|| Folder::ours("plans", &output::called(&asked.what), ""))?;

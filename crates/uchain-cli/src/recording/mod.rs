@@ -15,8 +15,8 @@ use clap::{Args, ValueHint};
 use uchain_sim::record::mcap::AnyRecording;
 
 use crate::{
-    args::{Out, Quiet, Say},
     exit::Failure,
+    flags::{Out, Quiet, Say},
     output::Folder,
 };
 

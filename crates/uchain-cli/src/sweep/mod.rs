@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum, ValueHint};
 use uchain_sim::sweep::folder::{Record, Shard};
 
-use crate::args::{Out, Quiet, Say, Sets, seed};
+use crate::flags::{Out, Quiet, Say, Sets, seed};
 
 pub(crate) use fly::fly;
 pub(crate) use merge::merge;

@@ -7,7 +7,7 @@ mod man;
 
 pub(crate) use completions::completions;
 pub(crate) use explain::explain;
-pub(crate) use hint::{advise, hint};
+pub(crate) use hint::hint;
 pub(crate) use man::man;
 
 use uchain_sim::config::help;

@@ -16,7 +16,7 @@ use uchain_sim::sweep::{
 };
 
 use super::Report;
-use crate::{args::Quiet, exit::Failure, output::unfinished_file};
+use crate::{exit::Failure, flags::Quiet, output::unfinished_file};
 
 /// Every cell of every number, for programs.
 const CSV: &str = "report.csv";

@@ -3,15 +3,25 @@
 use clap::{Args, ValueHint};
 use uchain_sim::config::UAVS_MAX;
 
-use super::{Out, Say, Sets, text};
+use crate::flags::{Out, Say, Sets};
 
 const BASE: &str = "Where the base station stands (short for --set 'chain.base_m=[X, Y]')";
 const HEADING: &str = "Direction of the tunnel at the base (short for --set chain.heading_deg=DEG)";
 const GOAL: &str = "The deepest place the head may be sent to (short for --set 'chain.goal_m=[X, Y]')";
 
+const EXAMPLES: &str = "\
+Examples:
+  uchain plan corner
+  uchain plan ./mine.toml --to 12 --uavs 6 --set takeoff.s_min_db=65
+  uchain plan basement.yaml --base=-50.15,34.03 --goal=-3,25.7 --speed 0.1
+
+A bare ROS map (map_server's yaml) needs --base and --goal, in the map's own frame; everything else
+has a default. Writes plan.json and plan.png.
+";
+
 /// One plan.
 #[derive(Debug, Args)]
-#[command(after_help = text::PLAN)]
+#[command(after_help = EXAMPLES)]
 #[command(mut_arg("out", |out| out.help("Folder for the results [default: plans/<scenario or file>, overwritten]")))]
 #[command(mut_arg("json", |json| json.help("Print the whole plan as JSON on stdout, and nothing else there")))]
 pub(crate) struct Plan {

@@ -1,0 +1,101 @@
+//! Options that several commands share.
+
+use std::{io::Write as _, path::PathBuf};
+
+use clap::{Args, ValueHint};
+
+use crate::{exit::Failure, output::Folder, print};
+
+const SET: &str =
+    "Write one value over the scenario's, such as chain.uavs=5 or pilot.0.speed_mps=0.1 (repeatable)";
+
+/// Where results go.
+#[derive(Debug, Args)]
+pub(crate) struct Out {
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    out: Option<PathBuf>,
+    /// Write into --out even if it holds something else; only our own files are replaced
+    #[arg(long)]
+    force: bool,
+}
+
+impl Out {
+    /// The folder asked for, if one was.
+    pub(crate) fn chosen(&self) -> Result<Option<Folder>, Failure> {
+        self.out.as_ref().map(|path| Folder::chosen(path, self.force)).transpose()
+    }
+
+    /// The folder asked for, else one of our own.
+    pub(crate) fn folder(&self, ours: impl FnOnce() -> Result<Folder, Failure>) -> Result<Folder, Failure> {
+        self.chosen()?.map_or_else(ours, Ok)
+    }
+}
+
+/// What is written over a scenario.
+#[derive(Debug, Args)]
+pub(crate) struct Sets {
+    #[arg(long, value_name = "KEY=VALUE", value_parser = assignment, help = SET)]
+    pub(crate) set: Vec<String>,
+}
+
+/// How a result is told.
+#[derive(Debug, Args)]
+#[command(mut_arg("quiet", |quiet| quiet.help("Print errors only: no progress, no report (--json still prints)")))]
+pub(crate) struct Say {
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    quiet: Quiet,
+}
+
+impl Say {
+    /// Whether to show how far the work has come.
+    pub(crate) fn progress(&self) -> bool {
+        !(self.quiet.quiet || self.json)
+    }
+
+    /// Tells people something on the way, on stderr.
+    pub(crate) fn note(&self, words: &str) {
+        if !self.quiet.quiet {
+            // Nobody is left to tell when stderr is gone.
+            let _ = writeln!(std::io::stderr(), "note: {words}");
+        }
+    }
+
+    /// Prints the result for programs, for people, or not at all.
+    pub(crate) fn result(&self, json: &str, text: impl FnOnce() -> String) -> Result<(), Failure> {
+        if self.json { print(json) } else { self.quiet.report(text) }
+    }
+}
+
+/// Whether anything is told.
+#[derive(Debug, Args)]
+pub(crate) struct Quiet {
+    /// Print errors only
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl Quiet {
+    /// Whether only errors are to be said.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.quiet
+    }
+
+    /// Prints, unless asked not to.
+    pub(crate) fn report(&self, text: impl FnOnce() -> String) -> Result<(), Failure> {
+        if self.quiet { Ok(()) } else { print(&text()) }
+    }
+}
+
+/// Reads the seed of a run.
+pub(crate) fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("expected a whole number from 0 to {}", u64::MAX))
+}
+
+fn assignment(text: &str) -> Result<String, String> {
+    match text.split_once('=') {
+        Some((key, _)) if !key.trim().is_empty() => Ok(text.to_owned()),
+        _ => Err("expected key=value, such as equalize.v_max_mps=0.2".to_owned()),
+    }
+}
