@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use uchain_sim::{
-    config::{Site, Source, builtin},
+    config::{Source, builtin},
+    mission::explore::Site,
     run::explore,
 };
 

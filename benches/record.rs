@@ -1,13 +1,14 @@
 use criterion::{BenchmarkId, Criterion, Throughput};
 use uchain_sim::{
-    config::{Course, Scenario, builtin},
-    record::{Frame, RecordError, Recorder, mcap::McapRecorder},
+    config::builtin,
+    mission::chain::{Course, Frame, McapRecorder, Scenario},
+    record::{RecordError, Recorder},
     run::run,
 };
 
 struct All(Vec<Frame>);
 
-impl Recorder for All {
+impl Recorder<Frame> for All {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         self.0.push(frame.clone());
         Ok(())

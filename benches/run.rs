@@ -5,10 +5,10 @@ use std::{fmt::Write as _, time::Duration};
 use criterion::{BenchmarkId, Criterion, Throughput};
 use uchain_sim::{
     clock::{TICKS_PER_S, total_ticks},
-    config::{Course, Scenario, Source, builtin},
+    config::{Source, builtin},
+    mission::chain::{Course, Scenario, Sim},
     run::run,
     sense::{ParryRays, Rays},
-    sim::Sim,
 };
 
 pub(crate) fn all(criterion: &mut Criterion) {

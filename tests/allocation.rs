@@ -1,7 +1,7 @@
 //! Memory: a tick asks for none, unless rapier steps (which allocates by itself).
 
 use allocation_counter::measure;
-use uchain_sim::sim::Sim;
+use uchain_sim::mission::chain::Sim;
 
 use crate::course;
 

@@ -1,5 +1,6 @@
 use uchain_sim::{
-    record::{Frame, History, RecordError, Recorder},
+    mission::chain::{Frame, History},
+    record::{RecordError, Recorder},
     run::run,
 };
 
@@ -31,7 +32,7 @@ fn another_seed_or_one_parameter_a_hair_off_gives_another_digest() {
 /// Stops the run at its hundredth frame.
 struct Stop(u32);
 
-impl Recorder for Stop {
+impl Recorder<Frame> for Stop {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         self.0 += 1;
         if self.0 == 100 { Err(RecordError::Interrupted { time_s: frame.time_s() }) } else { Ok(()) }

@@ -11,10 +11,10 @@ use uchain_core::{
     params::Key,
 };
 use uchain_sim::{
-    analyse::Summary,
-    config::{Course, builtin},
+    config::builtin,
+    mission::chain::{Course, Frame, Summary},
     radio::{FaultConfig, PacketParams, PathLossParams},
-    record::{Frame, RecordError, Recorder},
+    record::{RecordError, Recorder},
     run::run,
     sense::{FlowParams, TofParams},
 };
@@ -56,7 +56,7 @@ const WORDS: [&str; 12] = [
 /// Every number is a number.
 struct Numbers;
 
-impl Recorder for Numbers {
+impl Recorder<Frame> for Numbers {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         for uav in &frame.uavs {
             let speeds = [uav.forward_mps, uav.lateral_mps, uav.yaw_rate_radps];
@@ -168,7 +168,7 @@ fn a_thousand_uavs_are_flown() {
 #[should_panic(expected = "NaN")]
 fn a_number_that_is_none_is_noticed() {
     let mut frame = Frame::default();
-    frame.links.push(uchain_sim::record::LinkFrame {
+    frame.links.push(uchain_sim::mission::chain::LinkFrame {
         uav: 0,
         true_db: f32::NAN,
         filtered_db: None,

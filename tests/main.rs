@@ -25,7 +25,10 @@ use std::path::PathBuf;
 
 // Digests are held against each other: this program brings its own mathematics.
 use uchain_libm as _;
-use uchain_sim::config::{Course, Scenario, Source, builtin};
+use uchain_sim::{
+    config::{Source, builtin},
+    mission::chain::{Course, Scenario},
+};
 
 /// A compiled-in scenario with keys set.
 fn course(name: &str, sets: &[&str]) -> Course {

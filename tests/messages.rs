@@ -1,6 +1,6 @@
 //! Files that are wrong: what is said names the file's own line, or none, in words for people.
 
-use uchain_sim::config::{Mission, Source};
+use uchain_sim::{config::Source, mission::Mission};
 
 use crate::shared_cases;
 

@@ -2,11 +2,10 @@ use std::{fs, path::Path};
 
 use uchain_core::chain::Tof;
 use uchain_sim::{
-    config::Course,
-    draw,
+    mission::chain::{Course, Frame, History, LinkFrame, McapRecorder},
     record::{
-        Frame, History, LinkFrame, RecordError, Recorder,
-        mcap::{End, McapRecorder, ReadError, Recording},
+        RecordError, Recorder,
+        mcap::{End, ReadError, Recording},
     },
     replay,
     run::run,
@@ -18,7 +17,7 @@ use crate::{course, shared_data};
 #[derive(Default)]
 struct All(Vec<Frame>);
 
-impl Recorder for All {
+impl Recorder<Frame> for All {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         self.0.push(frame.clone());
         Ok(())
@@ -150,7 +149,7 @@ struct Beam(McapRecorder<Vec<u8>>, Change);
 /// What happens to a reading.
 type Change = fn(&mut Tof);
 
-impl Recorder for Beam {
+impl Recorder<Frame> for Beam {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         let mut frame = frame.clone();
         if frame.tick >= 50 && frame.tick < 60 {
@@ -241,7 +240,7 @@ fn a_run_on_a_map_file_is_flown_again_without_the_file() {
 /// Replaces what a run came to by numbers from the edge of what a file may hold.
 struct Wild(McapRecorder<Vec<u8>>, Dice);
 
-impl Recorder for Wild {
+impl Recorder<Frame> for Wild {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         let mut frame = frame.clone();
         let numbers = [0.0, -0.0, f32::MIN_POSITIVE, 1e-30, 0.05, 1.0, 60.0, 99.9, 1e4, 1e6, -1e6];
@@ -277,7 +276,7 @@ fn a_whole_file_of_impossible_numbers_is_summed_up_drawn_and_refuted() {
         let mut recording = Recording::read(file.as_slice(), "memory").unwrap();
         let mut history = History::default();
         let summary = recording.summary(&course, &mut history).unwrap();
-        draw::run_png(&course, &history, &summary).unwrap();
+        uchain_sim::mission::chain::run_png(&course, &history, &summary).unwrap();
         assert_eq!(history.frames.len(), 240);
         let verdict = replay::verify(&mut Recording::read(file.as_slice(), "memory").unwrap()).unwrap();
         assert_eq!(verdict.first.unwrap().tick, 1);

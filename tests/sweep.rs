@@ -1,7 +1,7 @@
 use proptest::prelude::*;
 use uchain_sim::{
-    config::Course,
-    record::{Frame, RecordError, Recorder, UavFrame},
+    mission::chain::{Course, Frame, UavFrame},
+    record::{RecordError, Recorder},
     run::run,
     seed::{Seed, Source, Stream},
 };
@@ -69,7 +69,7 @@ struct First {
     is_over: bool,
 }
 
-impl Recorder for First {
+impl Recorder<Frame> for First {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         self.is_over |= frame.uavs.get(self.uavs).is_some_and(|next| next.airborne);
         if !self.is_over {

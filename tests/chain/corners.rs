@@ -3,7 +3,7 @@
 //! The gate flies 150 seeds of each. Of 3,000 (`uchain sweep corner --replicates 3000 --out corner`, column
 //! `head_reach_m` of `corner/runs.parquet`; the same for `circuit`) none stays in a corner: at most 0.1 % do (95 %).
 
-use uchain_sim::{analyse::Summary, run::run};
+use uchain_sim::{mission::chain::Summary, run::run};
 
 use crate::course;
 

@@ -1,6 +1,6 @@
 //! The fast way of a mission against the plain one, which leaves everything to rapier.
 
-use uchain_sim::{analyse::Digest, clock::total_ticks, sense::Rays, sim::Sim};
+use uchain_sim::{analyse::Digest, clock::total_ticks, mission::chain::Sim, sense::Rays};
 
 use crate::course;
 

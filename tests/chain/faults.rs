@@ -1,6 +1,6 @@
 use uchain_sim::{
-    analyse::Summary,
-    record::{Frame, RecordError, Recorder},
+    mission::chain::{Frame, Summary},
+    record::{RecordError, Recorder},
     run::run,
 };
 
@@ -13,7 +13,7 @@ fn fly(name: &str, sets: &[&str]) -> Summary {
 /// Whatever the radio does, UAVs stay within the tunnel and every number is a number.
 struct Sane;
 
-impl Recorder for Sane {
+impl Recorder<Frame> for Sane {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         for uav in &frame.uavs {
             assert!(uav.x_m.is_finite() && uav.y_m.is_finite() && uav.heading_rad.is_finite(), "{uav:?}");

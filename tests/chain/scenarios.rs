@@ -1,6 +1,6 @@
 use std::fmt::Write as _;
 
-use uchain_sim::{analyse::Summary, run::run};
+use uchain_sim::{mission::chain::Summary, run::run};
 
 use crate::{course, lay, shared_data};
 

@@ -1,12 +1,13 @@
 use std::{fs, path::PathBuf};
 
 use uchain_sim::{
-    analyse::{Outcome, Summary},
-    config::{Course, Mission, Source, builtin},
-    record::{
-        Frame, RecordError, Recorder,
-        mcap::{McapRecorder, Recording},
+    analyse::Outcome,
+    config::{Source, builtin},
+    mission::{
+        Mission,
+        chain::{Course, Frame, McapRecorder, Summary},
     },
+    record::{RecordError, Recorder, mcap::Recording},
     replay,
     run::run,
 };
@@ -191,7 +192,7 @@ fn a_head_that_hears_nobody_is_connected_to_nobody() {
 /// Frames as versions before wrote them.
 struct Older<R>(R);
 
-impl<R: Recorder> Recorder for Older<R> {
+impl<R: Recorder<Frame>> Recorder<Frame> for Older<R> {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         let mut frame = frame.clone();
         frame.head = None;

@@ -10,11 +10,12 @@ use std::{
 use serde_json::Value;
 use twox_hash::XxHash64;
 use uchain_sim::{
-    config::{Course, builtin},
+    config::builtin,
     mathematics,
+    mission::chain::{Course, Frame, McapRecorder},
     record::{
-        Frame, RecordError, Recorder,
-        mcap::{End, McapRecorder, Recording},
+        RecordError, Recorder,
+        mcap::{End, Recording},
     },
     run::run,
 };
@@ -61,7 +62,7 @@ fn without_a_recording_there_is_none_and_the_digest_is_the_same() {
 /// Raises one UAV's speed by one ulp at one tick.
 struct Tamper<R>(R);
 
-impl<R: Recorder> Recorder for Tamper<R> {
+impl<R: Recorder<Frame>> Recorder<Frame> for Tamper<R> {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         let mut frame = frame.clone();
         if frame.tick == 50 {

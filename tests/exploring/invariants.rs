@@ -2,10 +2,8 @@
 
 use uchain_core::explore::{Label, Purpose};
 use uchain_sim::{
-    analyse::explore::ExploreHistory,
-    config::Site,
-    explore::Exploration,
-    record::{ExploreFrame, RecordError, Recorder, Stopped},
+    mission::explore::{Exploration, ExploreFrame, ExploreHistory, Site, Stopped},
+    record::{RecordError, Recorder},
 };
 
 use super::site;
@@ -57,7 +55,9 @@ impl Inspector<'_> {
     }
 
     fn hubs_told(&self) -> Vec<(u16, u32)> {
-        let is_hub = |node: &&uchain_sim::record::NodeFrame| ExploreHistory::frontiers(node).next().is_some();
+        let is_hub = |node: &&uchain_sim::mission::explore::NodeFrame| {
+            ExploreHistory::frontiers(node).next().is_some()
+        };
         let mut hubs: Vec<_> =
             self.told.nodes.iter().filter(is_hub).map(|node| (node.id.robot, node.id.number)).collect();
         hubs.sort_unstable();

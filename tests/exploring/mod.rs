@@ -10,8 +10,8 @@ mod table;
 mod vehicles;
 
 use uchain_sim::{
-    analyse::explore::ExploreSummary,
-    config::{Site, builtin},
+    config::builtin,
+    mission::explore::{ExploreSummary, Site},
     run::explore,
 };
 

@@ -5,11 +5,9 @@ use std::{f32::consts::TAU, fmt::Write as _};
 use glam::Vec2;
 use uchain_core::explore::ExploreParams;
 use uchain_sim::{
-    analyse::{
-        Outcome,
-        explore::{ExploreSummary, Width},
-    },
-    config::{Site, Source},
+    analyse::Outcome,
+    config::Source,
+    mission::explore::{ExploreSummary, Site, Width},
     seed::{self, Seed, Stream},
     sense::Scanner,
 };

@@ -1,9 +1,9 @@
 //! Same seed, same bits; noise, ranges and scan times; files that load back.
 
 use uchain_sim::{
-    analyse::explore::{ExploreHistory, RosMap},
     map::{Unknown, read_ros},
-    record::{ExploreFrame, RecordError, Recorder, Stopped},
+    mission::explore::{ExploreFrame, ExploreHistory, RosMap, Stopped},
+    record::{RecordError, Recorder},
     run::explore,
 };
 

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use uchain_sim::{
     analyse::Outcome,
-    config::{Site, Source},
-    record::Stopped,
+    config::Source,
+    mission::explore::{Site, Stopped},
 };
 
 use super::summary;

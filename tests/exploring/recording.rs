@@ -1,12 +1,10 @@
 //! What is recorded of an exploration can be read again, bit for bit.
 
 use uchain_sim::{
-    analyse::explore::ExploreHistory,
-    config::Site,
-    draw,
+    mission::explore::{ExploreFrame, ExploreHistory, ExploreRecorder, Site},
     record::{
-        ExploreFrame, RecordError, Recorder,
-        mcap::{End, ExploreRecorder, ReadError, Recording},
+        RecordError, Recorder,
+        mcap::{End, ReadError, Recording},
     },
     replay,
     run::explore,
@@ -67,8 +65,11 @@ fn a_recorded_exploration_has_the_summary_and_the_picture_of_the_one_that_was_fl
         let mut history = ExploreHistory::default();
         let (summary, survey) = recording.summary(&again, &mut history).unwrap();
         assert_eq!(summary, flown.0);
-        let picture = draw::explore_png(&again, &history, &survey, &summary).unwrap();
-        assert!(picture == draw::explore_png(&site, &both.1, &flown.1, &flown.0).unwrap(), "another picture");
+        let picture = uchain_sim::mission::explore::explore_png(&again, &history, &survey, &summary).unwrap();
+        assert!(
+            picture == uchain_sim::mission::explore::explore_png(&site, &both.1, &flown.1, &flown.0).unwrap(),
+            "another picture"
+        );
     }
 }
 

@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use uchain_core::explore::Strategy;
 use uchain_sim::{
-    analyse::{Estimate, explore::ExploreSummary},
+    analyse::Estimate,
     config::builtin,
-    record::Stopped,
+    mission::explore::{ExploreSummary, Stopped},
     sweep::{Design, DesignText, Flown, Sweep, fly},
 };
 

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use uchain_core::explore::Strategy;
-use uchain_sim::{analyse::explore::ExploreSummary, config::Site, record::Stopped};
+use uchain_sim::mission::explore::{ExploreSummary, Site, Stopped};
 
 use super::{site, summary};
 

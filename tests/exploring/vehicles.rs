@@ -2,10 +2,8 @@
 
 use uchain_core::explore::{Purpose, Target};
 use uchain_sim::{
-    analyse::explore::ExploreSummary,
-    config::{Site, VehicleKind},
-    explore::Exploration,
-    record::{ExploreFrame, RecordError, Recorder, Stopped},
+    mission::explore::{Exploration, ExploreFrame, ExploreSummary, Site, Stopped, VehicleKind},
+    record::{RecordError, Recorder},
 };
 
 use super::{site, summary};

@@ -8,9 +8,9 @@ use std::{
 };
 
 use uchain_sim::{
-    analyse::PlanError,
     config::ConfigError,
     draw::DrawError,
+    mission::chain::PlanError,
     record::{
         RecordError,
         mcap::{About, PlayError, ReadError},

@@ -23,7 +23,10 @@ use std::{
     process::ExitCode,
 };
 
-use uchain_sim::config::{ConfigError, Mission, PRESETS, Preset, Source, builtin, builtin_names, describe};
+use uchain_sim::{
+    config::{ConfigError, PRESETS, Preset, Source, builtin, builtin_names},
+    mission::{Mission, describe},
+};
 
 use args::{Asked, Command};
 use exit::Failure;

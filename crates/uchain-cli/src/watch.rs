@@ -7,7 +7,10 @@ use std::sync::{
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use uchain_core::bounded;
-use uchain_sim::record::{Frame, History, RecordError, Recorder};
+use uchain_sim::{
+    mission::chain::{Frame, History},
+    record::{RecordError, Recorder},
+};
 
 /// Set by Ctrl-C. A process has one such signal, so there is one flag.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -91,7 +94,7 @@ impl Watch {
     }
 }
 
-impl Recorder for Watch {
+impl Recorder<Frame> for Watch {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         if interrupted() {
             self.bar.finish_and_clear();

@@ -1,8 +1,9 @@
 //! Ablation study: what every part is worth, one parameter varied at a time.
 
 use uchain_sim::{
-    analyse::{Estimate, Summary, is_less_in_pairs},
+    analyse::{Estimate, is_less_in_pairs},
     draw::figure::{Axes, Figure, Mark},
+    mission::chain::Summary,
     run::run,
 };
 

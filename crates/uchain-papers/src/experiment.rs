@@ -2,10 +2,13 @@
 //! on all processors, results in memory.
 
 use uchain_sim::{
-    analyse::Summary,
-    config::{Course, Mission, Site, Source, builtin},
-    draw::{DrawError, Picture, run_picture},
-    record::History,
+    config::{Source, builtin},
+    draw::{DrawError, Picture},
+    mission::{
+        Mission,
+        chain::{Course, History, Summary, run_picture},
+        explore::Site,
+    },
     run::RunError,
     sweep::{Design, DesignText, Run, Sweep},
 };

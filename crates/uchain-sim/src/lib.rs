@@ -1,7 +1,6 @@
 //! The world around [`uchain_core`]: tunnels, sensors, radio, physics, missions and what is seen of them.
 //!
-//! One tick is five words: sense, decide, act, advance, record; read [`sim`] first, a chain's, and [`explore`], an
-//! exploration's.
+//! One tick is five words: sense, decide, act, advance, record; read [`mission`] first, and then one of its missions.
 //!
 //! The same scenario and seed give the same bits everywhere, but for what rapier and parry ask of the program's `exp`,
 //! `sin` and `log`. Linking this crate changes none of them; a program that wants equal bits brings its own with one
@@ -15,7 +14,6 @@ pub mod clock;
 pub mod config;
 #[cfg(feature = "draw")]
 pub mod draw;
-pub mod explore;
 pub mod map;
 pub mod mathematics;
 pub mod mission;
@@ -24,9 +22,9 @@ pub mod record;
 #[cfg(feature = "record")]
 pub mod replay;
 pub mod run;
+pub mod scene;
 pub mod seed;
 pub mod sense;
-pub mod sim;
 #[cfg(feature = "sweep")]
 pub mod sweep;
 pub mod world;

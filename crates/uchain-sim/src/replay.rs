@@ -3,14 +3,16 @@
 use std::io::Read;
 
 use crate::{
-    analyse::{Comparison, Difference},
     clock::total_ticks,
-    explore::Exploration,
+    mission::{
+        chain::Sim,
+        explore::{Exploration, ExploreFrame},
+    },
+    record::{Comparison, Difference},
     record::{
-        ExploreFrame, RecordError, Recorder,
+        RecordError, Recorder,
         mcap::{End, Frames, ReadError, Recordable, Recording},
     },
-    sim::Sim,
 };
 
 /// What became of a recording that was flown again.
@@ -53,7 +55,7 @@ impl<F: Clone> Recorder<F> for Last<F> {
 ///
 /// ```
 /// use uchain_libm as _; // the same bits on every system
-/// use uchain_sim::{config::{Course, builtin}, record::mcap::{McapRecorder, Recording}, replay, run::run};
+/// use uchain_sim::{mission::chain::{Course, McapRecorder}, config::builtin, record::mcap::Recording, replay, run::run};
 /// let course = Course::read(&builtin("corner").unwrap(), &["duration_s=2".to_owned()]).unwrap();
 /// let mut recorder = McapRecorder::start(Vec::new(), &course, 1).unwrap();
 /// run(&course, 1, &mut recorder).unwrap();
@@ -87,7 +89,7 @@ pub fn verify<R: Read>(recording: &mut Recording<R>) -> Result<Verdict, ReadErro
 ///
 /// ```
 /// use uchain_libm as _; // the same bits on every system
-/// use uchain_sim::{config::{Site, builtin}, record::mcap::{ExploreRecorder, Recording}, replay, run::explore};
+/// use uchain_sim::{mission::explore::{Site, ExploreRecorder}, config::builtin, record::mcap::Recording, replay, run::explore};
 /// let site = Site::read(&builtin("apartment").unwrap(), &["duration_s=20".to_owned()]).unwrap();
 /// let mut recorder = ExploreRecorder::start(Vec::new(), &site, 1).unwrap();
 /// explore(&site, 1, &mut recorder).unwrap();

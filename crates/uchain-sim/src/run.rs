@@ -1,15 +1,13 @@
 //! One run, whole: a function of (scenario, seed).
 
 use crate::{
-    analyse::{
-        Digest, Metrics, Summary,
-        explore::{ExploreMetrics, ExploreSummary, Survey},
-    },
+    analyse::Digest,
     clock::total_ticks,
-    config::{Course, Site},
-    explore::Exploration,
-    record::{ExploreFrame, RecordError, Recorder},
-    sim::Sim,
+    mission::{
+        chain::{Course, Metrics, Sim, Summary},
+        explore::{Exploration, ExploreFrame, ExploreMetrics, ExploreSummary, Site, Survey},
+    },
+    record::{RecordError, Recorder},
 };
 
 /// Why a run ended before its time.
@@ -31,7 +29,7 @@ pub enum RunError {
 ///
 /// ```
 /// use uchain_libm as _; // the same bits on every system
-/// use uchain_sim::{config::{Course, Scenario, builtin}, run::run};
+/// use uchain_sim::{mission::chain::{Course, Scenario}, config::builtin, run::run};
 /// let source = builtin("straight").unwrap();
 /// let scenario = Scenario::parse(&source, &["duration_s=5".into()]).unwrap();
 /// let course = Course::lay(scenario, &source).unwrap();
@@ -39,7 +37,11 @@ pub enum RunError {
 /// assert_eq!(once.digest, again.digest);
 /// assert_ne!(once.digest, run(&course, 2, &mut ()).unwrap().digest);
 /// ```
-pub fn run(course: &Course, seed: u64, recorder: &mut impl Recorder) -> Result<Summary, RunError> {
+pub fn run(
+    course: &Course,
+    seed: u64,
+    recorder: &mut impl Recorder<crate::mission::chain::Frame>,
+) -> Result<Summary, RunError> {
     let mut sim = Sim::new(course, seed);
     let mut metrics = Metrics::new(course);
     let mut digest = Digest::default();
@@ -57,7 +59,7 @@ pub fn run(course: &Course, seed: u64, recorder: &mut impl Recorder) -> Result<S
 ///
 /// ```
 /// use uchain_libm as _; // the same bits on every system
-/// use uchain_sim::{config::{Site, builtin}, run::explore};
+/// use uchain_sim::{mission::explore::Site, config::builtin, run::explore};
 /// let site = Site::read(&builtin("apartment").unwrap(), &["duration_s=20".into()]).unwrap();
 /// let (once, again) = (explore(&site, 1, &mut ()).unwrap().0, explore(&site, 1, &mut ()).unwrap().0);
 /// assert_eq!(once, again);

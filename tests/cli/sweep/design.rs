@@ -1,9 +1,9 @@
 use std::{fs, path::Path, process::Output};
 
 use serde_json::Value;
-use uchain_sim::sweep::{
-    Cell, Kind,
-    folder::{Folder, FolderError},
+use uchain_sim::{
+    analyse::{Cell, Kind},
+    sweep::folder::{Folder, FolderError},
 };
 
 use super::{folder, ok, stderr, stdout, uchain};

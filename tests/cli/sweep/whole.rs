@@ -7,9 +7,10 @@ use std::{
 
 use serde_json::Value;
 use uchain_sim::{
+    analyse::{Cell, Kind},
     config::builtin,
     sweep::{
-        Cell, Design, DesignText, Kind, Sweep,
+        Design, DesignText, Sweep,
         folder::{Folder, FolderError, Job, Manifest, Record, Shard, Watch},
         report::metrics,
     },
@@ -22,7 +23,7 @@ fn scalars(folder: &Path) -> Result<Vec<(String, Kind, Vec<Cell>)>, FolderError>
     let folder = Folder::open(folder)?;
     let mut columns = folder.sweep()?.columns();
     columns.retain(|column| !matches!(column.kind, Kind::Numbers | Kind::Singles));
-    let read = |column: &uchain_sim::sweep::Column| {
+    let read = |column: &uchain_sim::analyse::Column| {
         let cells: Result<Vec<_>, FolderError> = folder.column(column)?.collect();
         Ok((column.name.clone(), column.kind, cells?.concat()))
     };

@@ -1,11 +1,9 @@
-//! `uchain run` for an exploration: explore, draw, write, say.
+//! `uchain run` for an exploration: explore, write, say.
 
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use uchain_sim::{
-    analyse::explore::{ExploreHistory, ExploreSummary, RosMap, Survey},
-    config::Site,
-    draw,
-    record::{ExploreFrame, RecordError, Recorder},
+    mission::explore::{ExploreFrame, ExploreHistory, ExploreSummary, RosMap, Site, Survey},
+    record::{RecordError, Recorder},
     run::{RunError, explore as run},
 };
 
@@ -30,8 +28,8 @@ pub(crate) fn explore(flight: &Flight<'_>, site: &Site) -> Result<String, Failur
     let flown = timed(site, *seed, &mut ((&mut history, &mut watch), &mut tape));
     watch.end();
     let ((summary, survey), wall_s) = recording::end(flown, tape)?;
-    let picture = draw::explore_png(site, &history, &survey, &summary)?;
-    let states = draw::states_png(site, &history, &summary)?;
+    let picture = uchain_sim::mission::explore::explore_png(site, &history, &survey, &summary)?;
+    let states = uchain_sim::mission::explore::states_png(site, &history, &summary)?;
     let map = RosMap::explored(&site.map, site.ground(), &history.nodes, site.scenario.params.r_s_m);
     let report = Report::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));
     let json = report.json()?;

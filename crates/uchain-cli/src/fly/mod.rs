@@ -1,13 +1,15 @@
-//! `uchain run`: read, fly and record, draw, write, say.
+//! `uchain run`: read, fly and record, write, say.
 
 mod args;
 mod explore;
 
 use uchain_sim::{
-    analyse::Summary,
     clock::total_ticks,
-    config::{Course, Mission, Source},
-    draw,
+    config::Source,
+    mission::{
+        Mission,
+        chain::{Course, Summary},
+    },
     record::Recorder,
     run::{RunError, run},
 };
@@ -66,7 +68,7 @@ fn chain(flight: &Flight<'_>, course: &Course) -> Result<String, Failure> {
     let mut tape = tape.transpose()?;
     let flown = timed(course, *seed, &mut (&mut watch, &mut tape));
     let (summary, wall_s) = recording::end(flown, tape)?;
-    let picture = draw::run_png(course, &watch.into_history(), &summary)?;
+    let picture = uchain_sim::mission::chain::run_png(course, &watch.into_history(), &summary)?;
     let report = Report::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));
     let json = report.json()?;
     if interrupted() {
@@ -79,7 +81,11 @@ fn chain(flight: &Flight<'_>, course: &Course) -> Result<String, Failure> {
 
 /// Flies, and says how long that took (s).
 #[expect(clippy::disallowed_methods, reason = "wall_s is the one number that is about this computer")]
-fn timed(course: &Course, seed: u64, recorder: &mut impl Recorder) -> Result<(Summary, f64), RunError> {
+fn timed(
+    course: &Course,
+    seed: u64,
+    recorder: &mut impl Recorder<uchain_sim::mission::chain::Frame>,
+) -> Result<(Summary, f64), RunError> {
     let start = std::time::Instant::now();
     let summary = run(course, seed, recorder)?;
     Ok((summary, start.elapsed().as_secs_f64()))

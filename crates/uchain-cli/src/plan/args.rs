@@ -1,7 +1,7 @@
 //! What may be asked of a plan.
 
 use clap::{Args, ValueHint};
-use uchain_sim::config::UAVS_MAX;
+use uchain_sim::mission::chain::UAVS_MAX;
 
 use crate::flags::{Out, Say, Sets};
 

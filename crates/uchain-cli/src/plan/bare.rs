@@ -2,7 +2,10 @@
 
 use std::path::Path;
 
-use uchain_sim::config::{ConfigError, Course, PilotStep, Source, kind_of_map};
+use uchain_sim::{
+    config::{ConfigError, Source, kind_of_map},
+    mission::chain::{Course, PilotStep},
+};
 
 use super::Plan;
 use crate::exit::Failure;

@@ -1,4 +1,4 @@
-//! `uchain plan`: read, reckon, draw, write, say.
+//! `uchain plan`: read, reckon, write, say.
 
 mod args;
 mod bare;
@@ -7,7 +7,7 @@ mod table;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
-use uchain_sim::{analyse::plan, draw, map::Tunnel};
+use uchain_sim::{map::Tunnel, mission::chain::plan};
 
 use crate::{
     exit::Failure,
@@ -24,7 +24,7 @@ pub(crate) fn reckon(asked: &Plan) -> Result<(), Failure> {
     let steps = Steps::new(to_m.unwrap_or(1.0), asked.step);
     let plan = plan(&course, asked.to, steps.plan_m, uavs)?;
     let table = Table::new(&plan, &steps);
-    let picture = draw::plan_png(&plan, &table.answer())?;
+    let picture = uchain_sim::mission::chain::plan_png(&plan, &table.answer())?;
     let json = serde_json::to_string_pretty(&plan)? + "\n";
     folder.write(&output::PLAN, json.as_bytes(), &picture, &[])?;
     spinner.finish_and_clear();

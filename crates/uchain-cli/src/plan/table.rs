@@ -2,7 +2,10 @@
 
 use std::fmt::Write as _;
 
-use uchain_sim::analyse::{Plan, PlanRow, optimum::MOST_LINKS};
+use uchain_sim::{
+    analyse::optimum::MOST_LINKS,
+    mission::chain::{Plan, PlanRow},
+};
 
 /// Most rows by default.
 const ROWS_MAX: f64 = 20.0;

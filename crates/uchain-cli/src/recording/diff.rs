@@ -3,7 +3,7 @@
 use std::{fmt::Write as _, io::Read};
 
 use uchain_sim::{
-    analyse::Comparison,
+    record::Comparison,
     record::mcap::{AnyRecording, Recordable, Recording},
     replay,
 };

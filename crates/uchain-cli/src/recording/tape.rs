@@ -3,11 +3,11 @@
 use std::{fs::File, io::BufWriter, path::PathBuf};
 
 use uchain_sim::{
-    config::{Course, Site},
-    record::{
-        RecordError, Recorder,
-        mcap::{ExploreRecorder, McapRecorder},
+    mission::{
+        chain::{Course, McapRecorder},
+        explore::{ExploreRecorder, Site},
     },
+    record::{RecordError, Recorder},
     run::RunError,
 };
 

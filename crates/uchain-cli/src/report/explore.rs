@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use uchain_sim::analyse::explore::ExploreSummary;
+use uchain_sim::mission::explore::ExploreSummary;
 
 use super::{Report, outcome};
 

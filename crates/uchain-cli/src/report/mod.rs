@@ -5,7 +5,7 @@ mod explore;
 use std::fmt::Write as _;
 
 use serde::Serialize;
-use uchain_sim::analyse::{Summary, Verdict};
+use uchain_sim::{analyse::Verdict, mission::chain::Summary};
 
 /// `summary.json`, and what `--json` prints: of a chain or of an exploration.
 #[derive(Debug, Serialize)]

@@ -3,7 +3,7 @@
 
 use uchain_core::bounded;
 use uchain_sim::{
-    config::Course,
+    mission::chain::Course,
     seed::{Seed, Source},
     sweep::{DesignError, parallel_map},
 };

@@ -1,8 +1,9 @@
 //! Comparison of three exploration strategies (Kim 2021, §7.2): 2 to 5 robots, 20 runs each, common random numbers.
 
 use uchain_sim::{
-    analyse::{Estimate, explore::ExploreSummary, saved_percent},
+    analyse::{Estimate, saved_percent},
     draw::figure::{Axes, Figure, Mark},
+    mission::explore::ExploreSummary,
     run::explore,
 };
 

@@ -1,11 +1,9 @@
 //! Kim 2021, Fig. 9: three robots explore an apartment.
 
 use uchain_sim::{
-    analyse::explore::{ExploreHistory, ExploreMetrics},
-    config::Site,
-    draw::{Picture, explore_picture},
-    explore::Exploration,
-    record::{ExploreFrame, RecordError, Recorder},
+    draw::Picture,
+    mission::explore::{Exploration, ExploreFrame, ExploreHistory, ExploreMetrics, Site, explore_picture},
+    record::{RecordError, Recorder},
     run::{RunError, explore},
     sweep::DesignError,
 };

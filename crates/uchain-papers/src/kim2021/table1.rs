@@ -1,12 +1,8 @@
 //! Kim 2021, Table 1: two quadrotors in the laboratory.
 
 use uchain_sim::{
-    analyse::explore::{ExploreHistory, ExploreSummary, Survey},
-    config::Site,
-    draw::{
-        explore_picture,
-        figure::{Axes, Figure, Mark, Stroke},
-    },
+    draw::figure::{Axes, Figure, Mark, Stroke},
+    mission::explore::{ExploreHistory, ExploreSummary, Site, Survey, explore_picture},
     run::explore,
     sweep::DesignError,
 };

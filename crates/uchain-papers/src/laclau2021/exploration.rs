@@ -2,7 +2,7 @@
 //! of the signal, 30 runs each, with the same noise, by three readings of the paper.
 
 use uchain_core::chain::CenterParams;
-use uchain_sim::{config::Course, run::RunError, sweep::Run};
+use uchain_sim::{mission::chain::Course, run::RunError, sweep::Run};
 
 use super::trace::{Sample, Trace, record_trace, spread};
 use crate::{

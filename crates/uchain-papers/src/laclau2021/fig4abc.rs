@@ -2,8 +2,8 @@
 
 use glam::Vec2;
 use uchain_sim::{
-    config::{Course, Spawn},
     draw::figure::{Axes, Figure},
+    mission::chain::{Course, Spawn},
     run::RunError,
     seed::{Seed, Source as Draws},
     sweep::Run,

@@ -191,7 +191,7 @@ fn verdicts(how: &str, treated: &RunsByTreatment) -> Vec<Row> {
 mod tests {
     use super::{super::trace::Sample, *};
     use crate::Verdict;
-    use uchain_sim::record::LinkFrame;
+    use uchain_sim::mission::chain::LinkFrame;
 
     /// A run whose three links are level from a time on.
     fn level_from(level_s: f64) -> Flight {

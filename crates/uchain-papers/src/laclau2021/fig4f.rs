@@ -3,8 +3,8 @@
 use uchain_core::chain::equalize;
 use uchain_sim::{
     analyse::{Tendency, tends_to_be_less},
-    config::Scenario,
     draw::figure::{Axes, Figure, Mark},
+    mission::chain::Scenario,
     sweep::DesignError,
 };
 

@@ -2,8 +2,8 @@
 
 use uchain_sim::{
     analyse::Estimate,
-    config::Course,
     draw::figure::{Axes, Figure, Mark},
+    mission::chain::Course,
     run::RunError,
     sweep::Run,
 };

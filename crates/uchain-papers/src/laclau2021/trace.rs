@@ -1,10 +1,9 @@
 //! Time series of a run: losses and depths at every decision, and how the figures draw them.
 
 use uchain_sim::{
-    analyse::Summary,
-    config::Course,
     draw::figure::{Mark, Stroke},
-    record::{Frame, History, LinkFrame, RecordError, Recorder},
+    mission::chain::{Course, Frame, History, LinkFrame, Summary},
+    record::{RecordError, Recorder},
     run::{RunError, run},
     sweep::Run,
 };
@@ -63,7 +62,7 @@ struct TraceRecorder<'a> {
     samples: Vec<Sample>,
 }
 
-impl Recorder for TraceRecorder<'_> {
+impl Recorder<Frame> for TraceRecorder<'_> {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         if !frame.decision {
             return Ok(());

@@ -1,25 +1,20 @@
-//! Frames in, numbers out.
+//! Frames in, numbers out: what is the same for all missions.
 
-mod chain;
-mod compare;
+mod cell;
 mod digest;
-pub mod explore;
 pub mod optimum;
 mod outcome;
-mod plan;
 #[cfg(feature = "sweep")]
 mod significance;
 #[cfg(feature = "sweep")]
 mod stats;
-mod timeline;
+mod thinned;
 
-pub use chain::{LinkSummary, Metrics, Summary};
-pub use compare::{Compare, Comparison, Difference, Value, Whose};
+pub use cell::{Cell, Column, Kind};
 pub use digest::Digest;
 pub use outcome::{Break, Outcome, Over, Remedy, Verdict, Way};
-pub use plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan};
 #[cfg(feature = "sweep")]
 pub use significance::{Tendency, is_less_in_pairs, is_rarer_in_pairs, saved_percent, tends_to_be_less};
 #[cfg(feature = "sweep")]
 pub use stats::Estimate;
-pub use timeline::{ExploreTimeline, Timeline};
+pub use thinned::Thinned;

@@ -279,7 +279,7 @@ pub struct Choices {
 
 impl Choices {
     /// What could stand where `got` does.
-    pub(super) fn for_word(got: &str, known: Vec<String>) -> Self {
+    pub(crate) fn for_word(got: &str, known: Vec<String>) -> Self {
         let got = shorten(&got.to_lowercase());
         let near = known
             .iter()

@@ -6,9 +6,10 @@ use uchain_core::{
     params::Key,
 };
 
-use super::{
-    ChainConfig, CorridorConfig, MovingAiConfig, PilotStep, RosConfig, Scenario, TeamConfig, WallsConfig,
-    diagnose::Choices,
+use super::{CorridorConfig, MovingAiConfig, RosConfig, WallsConfig, diagnose::Choices};
+use crate::mission::{
+    chain::{ChainConfig, PilotStep, Scenario},
+    explore::TeamConfig,
 };
 use crate::{
     radio::{Dead, Deaf, FaultConfig, PacketParams, PathLossParams},

@@ -1,70 +1,13 @@
-//! From text to a checked [`Scenario`].
-
-use serde::Deserialize;
-use toml::de::ValueDeserializer;
+//! The deserializer's words in ours.
 
 use super::{
-    ConfigError, Scenario, Source, check,
+    ConfigError, Document,
     diagnose::{Choices, Origin, shorten},
-    document::Document,
     keys::{TABLES, called, join, nearly_called, renamed},
-    mission,
 };
 
-impl Scenario {
-    /// Reads a scenario, writes `sets` (`key=value`, the value in TOML or a bare word) over it and checks
-    /// every value on its own. Whether the tunnel can be built and flown is up to
-    /// [`Course::lay`](super::Course::lay).
-    ///
-    /// ```
-    /// use uchain_sim::config::{Scenario, builtin};
-    /// let source = builtin("corner").unwrap();
-    /// let scenario = Scenario::parse(&source, &["chain.uavs=3".to_owned()]).unwrap();
-    /// assert_eq!(scenario.chain.uavs, 3);
-    /// let error = Scenario::parse(&source, &["chain.uavz=3".to_owned()]).unwrap_err();
-    /// assert!(error.to_string().contains("did you mean 'uavs'?"));
-    /// ```
-    ///
-    /// # Errors
-    /// The first thing found wrong, with its place.
-    pub fn parse(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
-        let document = Document::parse(source, sets)?;
-        Self::from_document(&document)
-    }
-
-    /// The whole scenario in TOML: every value it has, whether written, set, from a preset or by default. Read
-    /// again it is the same scenario, without a preset.
-    ///
-    /// # Errors
-    /// None that a scenario from [`Scenario::parse`] could cause.
-    ///
-    /// ```
-    /// use uchain_sim::config::{Scenario, Source, builtin};
-    /// let scenario = Scenario::parse(&builtin("bend").unwrap(), &["chain.uavs=3".to_owned()]).unwrap();
-    /// let text = scenario.to_toml().unwrap();
-    /// assert!(text.contains("uavs = 3") && text.contains("sigma_db = "));
-    /// let again = Source { text, ..builtin("bend").unwrap() };
-    /// assert_eq!(Scenario::parse(&again, &[]).unwrap(), scenario);
-    /// ```
-    pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
-        toml::to_string(&Self { preset: None, ..self.clone() })
-    }
-
-    pub(super) fn from_document(document: &Document<'_>) -> Result<Self, ConfigError> {
-        let scenario = Self::unchecked(document)?;
-        check::values(&scenario, document)?;
-        Ok(scenario)
-    }
-
-    /// With values of the right types, whatever they are.
-    pub(super) fn unchecked(document: &Document<'_>) -> Result<Self, ConfigError> {
-        mission::is_chain(document)?;
-        Self::deserialize(ValueDeserializer::from(document.root())).map_err(|error| explain(&error, document))
-    }
-}
-
 /// Puts the deserializer's words into ours.
-pub(super) fn explain(error: &toml::de::Error, document: &Document<'_>) -> ConfigError {
+pub(crate) fn explain(error: &toml::de::Error, document: &Document<'_>) -> ConfigError {
     let span = error.span().unwrap_or_default();
     let path = document.path_of(&span);
     let at = if path.is_empty() { document.whole() } else { document.place(&span) };

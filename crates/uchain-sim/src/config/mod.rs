@@ -1,30 +1,24 @@
-//! A scenario: every room's Params under one roof, read once, checked once, trusted after.
+//! A scenario's text: read once, checked once, trusted after.
 
 mod check;
-mod course;
 mod diagnose;
 mod document;
 #[cfg(feature = "schema")]
 pub mod help;
 mod keys;
 mod load;
-mod mission;
-mod scenario;
+mod map;
 mod source;
 #[cfg(test)]
 mod tests;
 
-pub use check::UAVS_MAX;
-pub use course::{Course, Spawn};
+pub(crate) use check::{Check, DURATION_MAX_S, TICK_S};
 #[cfg(feature = "sweep")]
 pub(crate) use diagnose::shorten;
 pub use diagnose::{Choices, ConfigError, Origin};
+pub(crate) use document::Document;
 #[cfg(feature = "sweep")]
 pub(crate) use document::plain_key;
-pub use mission::{About, ExploreScenario, Mission, Site, TeamConfig, VehicleKind, describe};
-#[cfg(feature = "sweep")]
-pub(crate) use mission::{ValueKind, kind_of, resolve};
-pub use scenario::{
-    ChainConfig, CorridorConfig, MapConfig, MovingAiConfig, PilotStep, RosConfig, Scenario, WallsConfig,
-};
+pub(crate) use load::explain as explain_error;
+pub use map::{CorridorConfig, MapConfig, MovingAiConfig, RosConfig, WallsConfig};
 pub use source::{PRESETS, Preset, Source, TEXT_MAX_BYTES, builtin, builtin_names, kind_of_map};

@@ -40,7 +40,7 @@ const NAMES: [&str; BUILTIN.len()] = {
 /// defaults.
 ///
 /// ```
-/// use uchain_sim::config::{Preset, Scenario, builtin};
+/// use uchain_sim::{config::{Preset, builtin}, mission::chain::Scenario};
 /// let sets = ["preset=cavemod".to_owned(), "link.lost_s=2".to_owned()];
 /// let scenario = Scenario::parse(&builtin("corner").unwrap(), &sets).unwrap();
 /// assert_eq!(scenario.equalize.decision_s, 0.1); // from the preset

@@ -25,12 +25,12 @@ const RAMP: [[u8; 3]; 6] = [
 ];
 
 /// Of UAV `index` among `count`.
-pub(super) fn of_uav(index: usize, count: usize) -> Color {
+pub(crate) fn of_uav(index: usize, count: usize) -> Color {
     rgb(mixed(index, count))
 }
 
 /// The same, lighter: what is estimated.
-pub(super) fn of_estimate(index: usize, count: usize) -> Color {
+pub(crate) fn of_estimate(index: usize, count: usize) -> Color {
     rgb(mixed(index, count).map(|c| 0.45 * c + 0.55 * 255.0))
 }
 
@@ -50,12 +50,12 @@ fn rgb([r, g, b]: [f32; 3]) -> Color {
 }
 
 /// Text and outlines.
-pub(super) const INK: Color = Color::Rgb(0x22, 0x22, 0x22);
+pub(crate) const INK: Color = Color::Rgb(0x22, 0x22, 0x22);
 /// Marks that stay in the background.
-pub(super) const GREY: Color = Color::Rgb(0x8a, 0x8a, 0x8a);
+pub(crate) const GREY: Color = Color::Rgb(0x8a, 0x8a, 0x8a);
 /// Rock.
-pub(super) const ROCK: Color = Color::Rgb(0xd9, 0xd5, 0xcf);
+pub(crate) const ROCK: Color = Color::Rgb(0xd9, 0xd5, 0xcf);
 /// Free space.
-pub(super) const FREE: Color = Color::Rgb(0xff, 0xff, 0xff);
+pub(crate) const FREE: Color = Color::Rgb(0xff, 0xff, 0xff);
 /// Walls.
-pub(super) const WALL: Color = Color::Rgb(0x55, 0x4d, 0x45);
+pub(crate) const WALL: Color = Color::Rgb(0x55, 0x4d, 0x45);

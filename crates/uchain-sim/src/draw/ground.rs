@@ -13,13 +13,13 @@ use super::{
 use crate::map::{Map, Segment};
 
 /// A place of the map frame on the page; the axes are in the map file's own frame.
-pub(super) fn on_page(panel: &Panel, map: &Map, at: DVec2) -> (f64, f64) {
+pub(crate) fn on_page(panel: &Panel, map: &Map, at: DVec2) -> (f64, f64) {
     let at = at + DVec2::from(map.offset_m());
     panel.at(at.x, at.y)
 }
 
 /// Paints the box of a panel. Loops are painted from the largest to the smallest.
-pub(super) fn paint(scene: &mut Scene, panel: &Panel, map: &Map) {
+pub(crate) fn paint(scene: &mut Scene, panel: &Panel, map: &Map) {
     scene.add(Primitive::Rect {
         x: panel.left(),
         y: panel.top(),
@@ -42,7 +42,7 @@ pub(super) fn paint(scene: &mut Scene, panel: &Panel, map: &Map) {
 }
 
 /// A closed line through places of the page, perhaps filled.
-pub(super) fn area(
+pub(crate) fn area(
     corners: &[(f64, f64)],
     fill: Option<Color>,
     stroke: Color,

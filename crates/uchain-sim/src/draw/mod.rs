@@ -1,37 +1,25 @@
 //! Pictures. kuva lives here only.
 
-mod colour;
-mod explore;
+pub(crate) mod colour;
 #[cfg(feature = "sweep")]
 pub mod figure;
-mod ground;
-mod losses;
-mod panel;
-mod plan;
+pub(crate) mod ground;
+pub(crate) mod panel;
 #[cfg(feature = "sweep")]
 pub mod sweep;
-mod tunnel;
 
 use kuva::{RasterBackend, backend::svg::SvgBackend, render::render::Scene};
 
-use crate::{
-    analyse::{Plan, Summary},
-    config::Course,
-    record::History,
-};
-pub use explore::{explore_picture, explore_png, states_png};
-use losses::Losses;
-use panel::{FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE};
-use tunnel::Tunnel;
+pub(crate) use panel::{FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE};
 
 /// Pixels of the PNG per unit of the drawing; 1400 px across.
-const SCALE: f32 = 2.0;
+pub(crate) const SCALE: f32 = 2.0;
 
 /// Distance between two lines of text.
-const LINE: f64 = 15.0;
+pub(crate) const LINE: f64 = 15.0;
 /// Letters of a line of text, and of a headline.
-const LONGEST: usize = 104;
-const LONGEST_HEADLINE: usize = 86;
+pub(crate) const LONGEST: usize = 104;
+pub(crate) const LONGEST_HEADLINE: usize = 86;
 
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
@@ -51,71 +39,17 @@ pub struct Picture {
 }
 
 impl Picture {
-    fn of(scene: &Scene) -> Result<Self, DrawError> {
+    pub(crate) fn of(scene: &Scene) -> Result<Self, DrawError> {
         Ok(Self { png: raster(scene)?, svg: SvgBackend::new().render_scene(scene) })
     }
 }
 
-fn raster(scene: &Scene) -> Result<Vec<u8>, DrawError> {
+pub(crate) fn raster(scene: &Scene) -> Result<Vec<u8>, DrawError> {
     RasterBackend { scale: SCALE }.render_scene(scene).map_err(DrawError::Raster)
 }
 
-/// One run on one page, as a PNG 1400 px wide. Above: the loss of every link over time (solid = true,
-/// thin = as the filter sees it), the threshold `s_min`, the launches (after Laclau 2021, Fig. 4D).
-/// Below: the map at equal aspect, cropped to where the UAVs flew, with their tracks; its axes are in
-/// the map file's own frame.
-///
-/// # Errors
-/// [`DrawError::Raster`].
-pub fn run_png(course: &Course, history: &History, summary: &Summary) -> Result<Vec<u8>, DrawError> {
-    raster(&run_scene(course, history, summary))
-}
-
-/// The same, as a drawing too.
-///
-/// # Errors
-/// [`DrawError::Raster`].
-pub fn run_picture(course: &Course, history: &History, summary: &Summary) -> Result<Picture, DrawError> {
-    Picture::of(&run_scene(course, history, summary))
-}
-
-fn run_scene(course: &Course, history: &History, summary: &Summary) -> Scene {
-    let losses = Losses::new(course, history, summary);
-    // The seed of a sweep's run is a long number.
-    let lines = wrapped(&headline(summary), LONGEST_HEADLINE);
-    let top = 42.0 + LINE * lines.len().saturating_sub(1) as f64;
-    let losses_panel = Panel::new(top, losses.height(), losses.x_range(), losses.y_range());
-    let tunnel = Tunnel::new(course, history, summary);
-    let tunnel_panel = tunnel.panel(losses_panel.bottom() + 58.0);
-
-    let mut scene = Scene::new(FIGURE_WIDTH, tunnel_panel.bottom() + 44.0);
-    for (i, line) in lines.iter().enumerate() {
-        panel::text(&mut scene, (losses_panel.left(), 20.0 + LINE * i as f64), TEXT_LARGE, line);
-    }
-    losses.draw(&mut scene, &losses_panel);
-    tunnel.draw(&mut scene, &tunnel_panel);
-    scene
-}
-
-/// A plan on one page, as a PNG 1400 px wide: relays needed, loss of the worst link of the best chain, and time,
-/// each against the depth of the head. The scenario's name stands above, with the `answer` below it.
-///
-/// # Errors
-/// [`DrawError::Raster`].
-pub fn plan_png(plan: &Plan, answer: &str) -> Result<Vec<u8>, DrawError> {
-    let lines = wrapped(answer, LONGEST);
-    let sheet = plan::Sheet::new(plan, 34.0 + LINE * lines.len() as f64);
-    let mut scene = Scene::new(FIGURE_WIDTH, sheet.bottom() + 44.0);
-    panel::text(&mut scene, (sheet.left(), 18.0), TEXT_LARGE, &plan.scenario);
-    for (i, line) in lines.iter().enumerate() {
-        panel::text(&mut scene, (sheet.left(), 36.0 + LINE * i as f64), TEXT_LABEL, line);
-    }
-    sheet.draw(&mut scene);
-    raster(&scene)
-}
-
 /// Lines of text of so many letters at most.
-fn wrapped(text: &str, longest: usize) -> Vec<String> {
+pub(crate) fn wrapped(text: &str, longest: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         match lines.last_mut() {
@@ -128,21 +62,3 @@ fn wrapped(text: &str, longest: usize) -> Vec<String> {
     }
     lines
 }
-
-fn headline(summary: &Summary) -> String {
-    use std::fmt::Write as _;
-    let Summary { scenario, seed, verdict, .. } = summary;
-    let mut line = format!("{scenario}, seed {seed}: {}: {verdict}", verdict.outcome().word());
-    if let Some(spread_db) = summary.spread_db {
-        // Writing to a String cannot fail.
-        let _ = write!(line, "; spread {spread_db:.1} dB at the end");
-    }
-    let contacts = summary.wall_contacts + summary.uav_contacts;
-    if contacts > 0 {
-        let _ = write!(line, "; {contacts} contact{}", if contacts == 1 { "" } else { "s" });
-    }
-    line
-}
-
-#[cfg(test)]
-mod tests;

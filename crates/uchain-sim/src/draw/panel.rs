@@ -10,32 +10,32 @@ use kuva::render::{
 use super::colour::INK;
 
 /// Width of the page.
-pub(super) const FIGURE_WIDTH: f64 = 700.0;
+pub(crate) const FIGURE_WIDTH: f64 = 700.0;
 /// Room left of the axes for numbers and the label.
 const LEFT: f64 = 54.0;
 /// Room right of the axes for the legend.
 const RIGHT: f64 = 112.0;
 /// Width of the axes' box.
-pub(super) const BOX_WIDTH: f64 = FIGURE_WIDTH - LEFT - RIGHT;
+pub(crate) const BOX_WIDTH: f64 = FIGURE_WIDTH - LEFT - RIGHT;
 
 /// Size of the headline.
-pub(super) const TEXT_LARGE: u32 = 13;
+pub(crate) const TEXT_LARGE: u32 = 13;
 /// Size of axis labels.
-pub(super) const TEXT_LABEL: u32 = 11;
+pub(crate) const TEXT_LABEL: u32 = 11;
 /// Size of numbers and legends.
 const TEXT_SMALL: u32 = 10;
 /// Distance between two lines of a legend.
-pub(super) const ROW: f64 = 15.0;
+pub(crate) const ROW: f64 = 15.0;
 
 /// A pair of axes.
-pub(super) struct Panel {
+pub(crate) struct Panel {
     layout: Layout,
     computed: ComputedLayout,
 }
 
 impl Panel {
     /// Axes with a grid, whose box starts `top` below the page's upper edge.
-    pub(super) fn new(top: f64, height: f64, x_range: (f64, f64), y_range: (f64, f64)) -> Self {
+    pub(crate) fn new(top: f64, height: f64, x_range: (f64, f64), y_range: (f64, f64)) -> Self {
         let layout = Layout::new(x_range, y_range)
             .with_width(FIGURE_WIDTH)
             .with_height(top + height)
@@ -52,13 +52,13 @@ impl Panel {
     }
 
     /// The same without a grid.
-    pub(super) fn without_grid(mut self) -> Self {
+    pub(crate) fn without_grid(mut self) -> Self {
         self.layout.show_grid = false;
         self
     }
 
     /// The same with numbers on the vertical axis so far apart.
-    pub(super) fn with_y_step(mut self, step: f64) -> Self {
+    pub(crate) fn with_y_step(mut self, step: f64) -> Self {
         self.layout = self.layout.with_y_tick_step(step);
         self.computed = ComputedLayout::from_layout(&self.layout);
         self
@@ -66,7 +66,7 @@ impl Panel {
 
     /// The same with whole numbers on the horizontal axis.
     #[cfg(feature = "sweep")]
-    pub(super) fn with_whole_x(mut self) -> Self {
+    pub(crate) fn with_whole_x(mut self) -> Self {
         self.layout = self.layout.with_x_tick_step(1.0);
         self.computed = ComputedLayout::from_layout(&self.layout);
         self
@@ -74,39 +74,39 @@ impl Panel {
 
     /// The same with words instead of numbers on the horizontal axis, at 1, 2, 3 and so on.
     #[cfg(feature = "sweep")]
-    pub(super) fn with_words(mut self, words: Vec<String>) -> Self {
+    pub(crate) fn with_words(mut self, words: Vec<String>) -> Self {
         self.layout = self.layout.with_x_categories(words);
         self
     }
 
-    pub(super) fn left(&self) -> f64 {
+    pub(crate) fn left(&self) -> f64 {
         self.computed.margin_left
     }
 
-    pub(super) fn right(&self) -> f64 {
+    pub(crate) fn right(&self) -> f64 {
         self.computed.width - self.computed.margin_right
     }
 
-    pub(super) fn top(&self) -> f64 {
+    pub(crate) fn top(&self) -> f64 {
         self.computed.margin_top
     }
 
-    pub(super) fn bottom(&self) -> f64 {
+    pub(crate) fn bottom(&self) -> f64 {
         self.computed.height - self.computed.margin_bottom
     }
 
     /// Where a value lies on the page.
-    pub(super) fn at(&self, x: f64, y: f64) -> (f64, f64) {
+    pub(crate) fn at(&self, x: f64, y: f64) -> (f64, f64) {
         (self.computed.map_x(x), self.computed.map_y(y))
     }
 
     /// Whether a value lies within the axes.
-    pub(super) fn shows(&self, y: f64) -> bool {
+    pub(crate) fn shows(&self, y: f64) -> bool {
         (self.top()..=self.bottom()).contains(&self.computed.map_y(y))
     }
 
     /// The grid, the box, its numbers and labels.
-    pub(super) fn axes(&self, scene: &mut Scene, x_label: &str, y_label: &str) {
+    pub(crate) fn axes(&self, scene: &mut Scene, x_label: &str, y_label: &str) {
         add_axes_and_grid(scene, &self.computed, &self.layout);
         let middle = (f64::midpoint(self.left(), self.right()), f64::midpoint(self.top(), self.bottom()));
         scene.add(label((middle.0, self.bottom() + 33.0), x_label, None));
@@ -114,14 +114,14 @@ impl Panel {
     }
 
     /// Nothing that follows leaves the box, until [`unclip`].
-    pub(super) fn clip(&self, scene: &mut Scene) {
+    pub(crate) fn clip(&self, scene: &mut Scene) {
         let (x, y) = (self.left(), self.top());
         let (width, height) = (self.right() - x, self.bottom() - y);
         scene.add(Primitive::ClipStart { x, y, width, height, id: format!("box{y}") });
     }
 
     /// A line through values; a gap wherever a value is missing.
-    pub(super) fn line(
+    pub(crate) fn line(
         &self,
         scene: &mut Scene,
         values: impl Iterator<Item = Option<(f64, f64)>>,
@@ -145,12 +145,12 @@ impl Panel {
 }
 
 /// Ends what [`Panel::clip`] began.
-pub(super) fn unclip(scene: &mut Scene) {
+pub(crate) fn unclip(scene: &mut Scene) {
     scene.add(Primitive::ClipEnd);
 }
 
 /// A straight line on the page.
-pub(super) fn rule(
+pub(crate) fn rule(
     scene: &mut Scene,
     (x1, y1): (f64, f64),
     (x2, y2): (f64, f64),
@@ -170,7 +170,7 @@ pub(super) fn rule(
 }
 
 /// A round mark on the page.
-pub(super) fn dot(scene: &mut Scene, (cx, cy): (f64, f64), r: f64, fill: &Color, stroke: &Color) {
+pub(crate) fn dot(scene: &mut Scene, (cx, cy): (f64, f64), r: f64, fill: &Color, stroke: &Color) {
     scene.add(Primitive::Circle {
         cx,
         cy,
@@ -183,7 +183,7 @@ pub(super) fn dot(scene: &mut Scene, (cx, cy): (f64, f64), r: f64, fill: &Color,
 }
 
 /// Text that starts at a point of the page.
-pub(super) fn text(scene: &mut Scene, (x, y): (f64, f64), size: u32, content: &str) {
+pub(crate) fn text(scene: &mut Scene, (x, y): (f64, f64), size: u32, content: &str) {
     scene.add(Primitive::Text {
         x,
         y,
@@ -197,7 +197,7 @@ pub(super) fn text(scene: &mut Scene, (x, y): (f64, f64), size: u32, content: &s
 }
 
 /// Small text centred on a point of the page.
-pub(super) fn caption(scene: &mut Scene, (x, y): (f64, f64), content: &str, colour: &Color) {
+pub(crate) fn caption(scene: &mut Scene, (x, y): (f64, f64), content: &str, colour: &Color) {
     scene.add(Primitive::Text {
         x,
         y,
@@ -212,7 +212,7 @@ pub(super) fn caption(scene: &mut Scene, (x, y): (f64, f64), content: &str, colo
 
 /// The range of some values, with room around them; one value has room as well, and none is 0 to 1.
 #[cfg(feature = "sweep")]
-pub(super) fn widened(values: impl Iterator<Item = f64>, share: f64) -> (f64, f64) {
+pub(crate) fn widened(values: impl Iterator<Item = f64>, share: f64) -> (f64, f64) {
     let finite = values.filter(|value| value.is_finite());
     let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
     if low > high {
@@ -226,7 +226,7 @@ pub(super) fn widened(values: impl Iterator<Item = f64>, share: f64) -> (f64, f6
 const NAME_MAX: usize = 17;
 
 /// A line of a legend: its text, cut where there is no room; the mark is drawn left of it by the caller, around the point returned.
-pub(super) fn legend(scene: &mut Scene, panel: &Panel, row: usize, content: &str) -> (f64, f64) {
+pub(crate) fn legend(scene: &mut Scene, panel: &Panel, row: usize, content: &str) -> (f64, f64) {
     let (x, y) = (panel.right() + 6.0, panel.top() + 7.0 + row as f64 * ROW);
     let fits = content.chars().count() <= NAME_MAX;
     let cut = || content.chars().take(NAME_MAX - 1).chain(['…']).collect();

@@ -1,7 +1,14 @@
-//! Missions: who flies, who waits, what they tell each other.
+//! Missions: who flies, who waits, what they tell each other, and what comes of it. One folder each.
 
-mod chain;
-mod explore;
+pub mod chain;
+pub mod explore;
+mod keys;
+mod registry;
 
-pub use chain::ChainMission;
-pub use explore::Team;
+#[cfg(feature = "sweep")]
+pub(crate) use keys::{ValueKind, kind_of, resolve};
+pub use registry::{About, Mission, describe};
+
+/// What describes the messages of our missions.
+#[cfg(feature = "record")]
+pub(crate) const PROTO: &str = include_str!("uchain.proto");

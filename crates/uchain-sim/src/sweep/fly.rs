@@ -10,9 +10,14 @@ use rayon::prelude::*;
 
 use super::{Run, Sweep};
 use crate::{
-    analyse::{Summary, Verdict, explore::ExploreSummary},
-    config::{ConfigError, Mission},
-    record::{ExploreFrame, Frame, Recorder},
+    analyse::Verdict,
+    config::ConfigError,
+    mission::{
+        Mission,
+        chain::{Frame, Summary},
+        explore::{ExploreFrame, ExploreSummary},
+    },
+    record::Recorder,
     run::{RunError, explore, run},
 };
 

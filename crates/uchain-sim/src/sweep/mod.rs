@@ -6,7 +6,6 @@
 //!
 //! [`Sweep::each`] keeps its results in memory; [`folder`] keeps them on disk, whatever happens to the process.
 
-mod cell;
 mod design;
 mod fly;
 pub mod folder;
@@ -20,14 +19,14 @@ use twox_hash::XxHash64;
 
 use crate::{
     analyse::optimum::Charts,
-    config::{About, ConfigError, Mission, Source, ValueKind, describe, kind_of},
+    config::{ConfigError, Source},
     map::Map,
+    mission::{About, Mission, ValueKind, describe, kind_of},
     seed::Seed,
 };
 use design::{combined, refuse_overlaps};
 use shelf::Shelf;
 
-pub use cell::{Cell, Column, Kind};
 pub use design::{Design, DesignError, DesignText, RUNS_MAX, TABLE_MAX_BYTES, Written};
 pub use fly::{Flown, Onlooker, PoolError, fly, on_threads, parallel_map};
 

@@ -1,11 +1,12 @@
 //! What a sweep came to, cell by cell: statistics of every number of the summary in every variant.
 
 use super::{
-    Cell, Column, Kind, Sweep,
+    Sweep,
     folder::{Folder, FolderError},
     row::{FAILED, VERDICT},
 };
 use crate::analyse::Estimate;
+use crate::analyse::{Cell, Column, Kind};
 
 /// Most variants that are kept for tables and pictures.
 pub const CELLS_MAX: usize = 1000;

@@ -1,10 +1,12 @@
 //! One run as a row: the run, its variant, and what it came to under the names of `summary.json`. Lists that differ in
 //! length from run to run stay lists; what a report needs of them stands beside them.
 
-use super::{Cell, Column, Flown, Kind, Run, Sweep};
-use crate::{
-    analyse::{LinkSummary, Summary, explore::ExploreSummary},
-    config::ValueKind,
+use super::{Flown, Run, Sweep};
+use crate::analyse::{Cell, Column, Kind};
+use crate::mission::{
+    ValueKind,
+    chain::{LinkSummary, Summary},
+    explore::ExploreSummary,
 };
 
 /// A result: its name, what it is, and where it is found.

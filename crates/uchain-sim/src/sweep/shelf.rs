@@ -5,7 +5,7 @@ use std::{
     sync::{Arc, Mutex, OnceLock, PoisonError},
 };
 
-use crate::config::Mission;
+use crate::mission::Mission;
 
 /// A variant that is laid out, or why it cannot be.
 type Laid = Result<Arc<Mission>, String>;

@@ -1,5 +1,8 @@
 use super::*;
-use crate::config::builtin;
+use crate::{
+    analyse::{Cell, Kind},
+    config::builtin,
+};
 
 fn sweep(vary: &[&str], replicates: u64) -> Sweep {
     let vary = vary.iter().map(ToString::to_string).collect();

@@ -3,11 +3,7 @@
 
 use std::{error::Error, process::ExitCode};
 
-use uchain_sim::{
-    config::{Course, builtin},
-    mathematics,
-    run::run,
-};
+use uchain_sim::{mission::chain::Course, config::builtin, mathematics, run::run};
 
 fn main() -> ExitCode {
     match digest() {

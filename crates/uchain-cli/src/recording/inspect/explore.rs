@@ -4,15 +4,8 @@ use std::{fmt::Write as _, io::Read};
 
 use serde::Serialize;
 use uchain_sim::{
-    analyse::{
-        ExploreTimeline,
-        explore::{ExploreHistory, ExploreSummary},
-    },
-    draw,
-    record::{
-        ExploreFrame, Progress,
-        mcap::{End, Recording},
-    },
+    mission::explore::{ExploreFrame, ExploreHistory, ExploreSummary, ExploreTimeline, Progress},
+    record::mcap::{End, Recording},
 };
 
 use super::{MOMENTS, cut, thinned};
@@ -50,7 +43,7 @@ pub(super) fn inspect(
     let json = serde_json::to_string_pretty(&inspected)? + "\n";
     let mut files = asked.file.display().to_string();
     if let Some(folder) = folder {
-        let picture = draw::explore_png(&site, &history, &survey, &summary)?;
+        let picture = uchain_sim::mission::explore::explore_png(&site, &history, &survey, &summary)?;
         folder.write(&INSPECT, json.as_bytes(), &picture, &[])?;
         files = folder.says(&INSPECT);
     }

@@ -1,4 +1,4 @@
-//! `uchain inspect`: read, sum up, draw, say.
+//! `uchain inspect`: read, sum up, say.
 
 mod explore;
 
@@ -6,13 +6,9 @@ use std::{fmt::Write as _, io::Read};
 
 use serde::Serialize;
 use uchain_sim::{
-    analyse::{Summary, Timeline},
     clock::total_ticks,
-    draw,
-    record::{
-        Moment,
-        mcap::{AnyRecording, End, Recording},
-    },
+    mission::chain::{Moment, Summary, Timeline},
+    record::mcap::{AnyRecording, End, Recording},
 };
 
 use super::{Inspect, open};
@@ -63,7 +59,7 @@ fn chain(asked: &Inspect, mut recording: Recording<impl Read>) -> Result<(), Fai
     let json = serde_json::to_string_pretty(&inspected)? + "\n";
     let mut files = asked.file.display().to_string();
     if let Some(folder) = folder {
-        let picture = draw::run_png(&course, &watch.into_history(), &summary)?;
+        let picture = uchain_sim::mission::chain::run_png(&course, &watch.into_history(), &summary)?;
         folder.write(&INSPECT, json.as_bytes(), &picture, &[])?;
         files = folder.says(&INSPECT);
     }

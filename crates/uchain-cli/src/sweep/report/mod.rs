@@ -9,10 +9,13 @@ use std::{
     path::Path,
 };
 
-use uchain_sim::sweep::{
-    Cell, Sweep,
-    folder::{Folder, FolderError, TABLE},
-    report::{Metric, each_variant, failures, metric, metrics},
+use uchain_sim::{
+    analyse::Cell,
+    sweep::{
+        Sweep,
+        folder::{Folder, FolderError, TABLE},
+        report::{Metric, each_variant, failures, metric, metrics},
+    },
 };
 
 use super::Report;

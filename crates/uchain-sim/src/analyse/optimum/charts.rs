@@ -16,14 +16,14 @@ const KEPT: usize = 16;
 
 /// All that a chart depends on: walls, the way between them, and losses without noise.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct ChartKey {
+pub(crate) struct ChartKey {
     walls: Vec<Segment>,
     tunnel: Tunnel,
     radio: PathLossParams,
 }
 
 impl ChartKey {
-    pub(super) fn new(walls: &[Segment], tunnel: &Tunnel, radio: &PathLossParams) -> Self {
+    pub(crate) fn new(walls: &[Segment], tunnel: &Tunnel, radio: &PathLossParams) -> Self {
         let radio = PathLossParams { sigma_db: 0.0, ..radio.clone() };
         Self { walls: walls.to_vec(), tunnel: tunnel.clone(), radio }
     }
@@ -40,7 +40,7 @@ pub(crate) struct Charts {
 
 impl Charts {
     /// The chart of a key, drawn by the first thread that asks for it; others that want the same one wait.
-    pub(super) fn get(&self, key: ChartKey, draw: impl FnOnce() -> Chart) -> Arc<Chart> {
+    pub(crate) fn get(&self, key: ChartKey, draw: impl FnOnce() -> Chart) -> Arc<Chart> {
         self.place(key).get_or_init(|| Arc::new(draw())).clone()
     }
 
@@ -66,7 +66,7 @@ impl Charts {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::config::{Course, builtin};
+    use crate::{config::builtin, mission::chain::Course};
 
     fn corner(charts: &Arc<Charts>, sets: &[&str]) -> Course {
         let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();

@@ -2,7 +2,7 @@
 //!
 //! Given how loss depends on two depths along the tunnel, where must the relays stand so that the worst link is as
 //! good as can be? [`Chart`] searches the whole tunnel on samples, [`optimum`] makes one answer exact, [`Yardstick`]
-//! binds both to a [`Course`](crate::config::Course).
+//! binds both to a [`Course`](crate::mission::chain::Course).
 
 mod chart;
 mod charts;
@@ -10,11 +10,9 @@ mod level;
 mod refine;
 #[cfg(test)]
 mod tests;
-mod yardstick;
 
 pub use chart::{Chart, MOST_LINKS, MOST_SAMPLES};
-pub(crate) use charts::Charts;
-pub use yardstick::Yardstick;
+pub(crate) use charts::{ChartKey, Charts};
 
 use uchain_core::bounded;
 

@@ -26,7 +26,7 @@ pub(crate) use path::plain_key;
 
 /// The parsed text. A value that came by `--set` number `i` has a span of its own behind the text,
 /// which starts at `text.len() + 1 + i`; behind those lie the spans of the preset's text.
-pub(super) struct Document<'i> {
+pub(crate) struct Document<'i> {
     source: &'i Source,
     sets: &'i [String],
     /// Where each of `sets` leads.
@@ -36,7 +36,7 @@ pub(super) struct Document<'i> {
 }
 
 impl<'i> Document<'i> {
-    pub(super) fn parse(source: &'i Source, sets: &'i [String]) -> Result<Self, ConfigError> {
+    pub(crate) fn parse(source: &'i Source, sets: &'i [String]) -> Result<Self, ConfigError> {
         let text = source.text.as_str();
         let parsed = DeTable::parse(text);
         let table = parsed.map_err(|error| ConfigError::Syntax {
@@ -68,7 +68,7 @@ impl<'i> Document<'i> {
     }
 
     /// Writes every value of a preset that is not written yet.
-    pub(super) fn fill_in(&mut self, preset: Preset) -> Result<(), ConfigError> {
+    pub(crate) fn fill_in(&mut self, preset: Preset) -> Result<(), ConfigError> {
         let table = DeTable::parse(preset.text).map_err(|error| ConfigError::Syntax {
             at: Origin::Preset {
                 name: preset.name,
@@ -143,7 +143,7 @@ impl<'i> Document<'i> {
     }
 
     /// The steps to where a key leads that was typed.
-    pub(super) fn resolve(&self, typed: &str) -> Vec<String> {
+    pub(crate) fn resolve(&self, typed: &str) -> Vec<String> {
         let mut steps = steps(typed);
         if let [map, key] = &steps[..]
             && map == "map"
@@ -157,7 +157,7 @@ impl<'i> Document<'i> {
 
     /// Where each of the assignments leads, in their order.
     #[cfg(feature = "sweep")]
-    pub(super) fn paths(&self) -> &[Vec<String>] {
+    pub(crate) fn paths(&self) -> &[Vec<String>] {
         &self.paths
     }
 
@@ -170,13 +170,18 @@ impl<'i> Document<'i> {
         kinds.into_iter().find(|known| *known == &**kind.get_ref())
     }
 
+    /// Where relative paths in it start.
+    pub(crate) fn folder(&self) -> &Path {
+        &self.source.folder
+    }
+
     /// The value tree, for the deserializer.
-    pub(super) fn root(&self) -> Spanned<DeValue<'i>> {
+    pub(crate) fn root(&self) -> Spanned<DeValue<'i>> {
         self.root.clone()
     }
 
     /// Where a span stands.
-    pub(super) fn place(&self, span: &Range<usize>) -> Origin {
+    pub(crate) fn place(&self, span: &Range<usize>) -> Origin {
         let in_preset = span.start.checked_sub(self.preset_start());
         match (self.set_at(span), self.preset, in_preset) {
             (Some(assignment), ..) => Origin::Set { assignment: shorten(assignment) },
@@ -188,12 +193,12 @@ impl<'i> Document<'i> {
     }
 
     /// The document as a whole.
-    pub(super) fn whole(&self) -> Origin {
+    pub(crate) fn whole(&self) -> Origin {
         whole(self.source)
     }
 
     /// Where a key (`pilot.0.speed_mps`) was written, else the table it belongs to.
-    pub(super) fn origin(&self, path: &str) -> Origin {
+    pub(crate) fn origin(&self, path: &str) -> Origin {
         let (found, exact) = self.follow(path);
         match found {
             Some(value) if exact || value.span() != self.root.span() => self.place(&value.span()),
@@ -202,7 +207,7 @@ impl<'i> Document<'i> {
     }
 
     /// The value of a key as it was written; `None` when it was not, or is not a single value.
-    pub(super) fn written(&self, path: &str) -> Option<String> {
+    pub(crate) fn written(&self, path: &str) -> Option<String> {
         let (Some(value), true) = self.follow(path) else { return None };
         match value.get_ref() {
             DeValue::String(text) => Some(format!("\"{}\"", shorten(text))),
@@ -215,7 +220,7 @@ impl<'i> Document<'i> {
     }
 
     /// What stands at a key, in a few words; `None` where nothing does.
-    pub(super) fn shown(&self, path: &str) -> Option<String> {
+    pub(crate) fn shown(&self, path: &str) -> Option<String> {
         let (Some(value), true) = self.follow(path) else { return None };
         self.written(path).or_else(|| match value.get_ref() {
             DeValue::Array(items) => Some(format!("a list of {}", items.len())),
@@ -224,14 +229,24 @@ impl<'i> Document<'i> {
         })
     }
 
+    /// An error about a key, at its place; `got` is said if it was not written.
+    pub(crate) fn invalid(&self, key: &str, got: &str, expected: impl Into<String>) -> ConfigError {
+        ConfigError::Invalid {
+            at: self.origin(key),
+            key: key.to_owned(),
+            got: self.written(key).unwrap_or_else(|| got.to_owned()),
+            expected: expected.into(),
+        }
+    }
+
     /// How many entries a list has; `None` where no list was written.
-    pub(super) fn count(&self, path: &str) -> Option<usize> {
+    pub(crate) fn count(&self, path: &str) -> Option<usize> {
         let (Some(value), true) = self.follow(path) else { return None };
         if let DeValue::Array(items) = value.get_ref() { Some(items.len()) } else { None }
     }
 
     /// Whether a key is there.
-    pub(super) fn has(&self, path: &str) -> bool {
+    pub(crate) fn has(&self, path: &str) -> bool {
         self.follow(path).1
     }
 
@@ -254,7 +269,7 @@ impl<'i> Document<'i> {
 
     /// The key path of the key or value with this span, tables included; empty for the whole. For a
     /// value that came by `--set` it is the path given there.
-    pub(super) fn path_of(&self, span: &Range<usize>) -> String {
+    pub(crate) fn path_of(&self, span: &Range<usize>) -> String {
         if let Some((path, _)) = self.set_at(span).and_then(|set| set.split_once('=')) {
             return shorten(&steps(path).join("."));
         }

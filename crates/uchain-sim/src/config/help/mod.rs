@@ -2,7 +2,7 @@
 //! list.
 
 mod schema;
-pub(super) mod shape;
+pub(crate) mod shape;
 #[cfg(test)]
 mod tests;
 mod units;

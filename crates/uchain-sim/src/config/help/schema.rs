@@ -5,10 +5,14 @@ use serde_json::{Map, Number, Value, json};
 
 use uchain_core::explore::ExploreParams;
 
-use super::super::{Scenario, TeamConfig, keys::EXPLORE, mission::CHAIN_ONLY};
+use super::super::keys::EXPLORE;
+use crate::mission::{
+    chain::Scenario,
+    explore::{CHAIN_ONLY, TeamConfig},
+};
 
 /// JSON Schema (draft 7) of a scenario file. Names, types, ranges, defaults and descriptions are those of the laws'
-/// own declarations. What a schema cannot say is left to [`Course::read`](crate::config::Course::read): multiples of
+/// own declarations. What a schema cannot say is left to [`Course::read`](crate::mission::chain::Course::read): multiples of
 /// the tick, keys that must agree, whether the tunnel can be flown.
 ///
 /// ```

@@ -1,11 +1,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
-    super::{ConfigError, ExploreScenario, Scenario, Source, UAVS_MAX, builtin, keys::TABLES},
+    super::{ConfigError, Source, builtin, keys::TABLES},
     Explanation, explain, schema,
     schema::entries,
 };
-use crate::config::ChainConfig;
+use crate::mission::chain::ChainConfig;
+use crate::mission::{
+    chain::{Scenario, UAVS_MAX},
+    explore::ExploreScenario,
+};
 
 /// Scenarios that have every table between them.
 const STRAIGHT: &str = "straight";

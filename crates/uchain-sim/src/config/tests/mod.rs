@@ -5,7 +5,12 @@ use std::path::PathBuf;
 
 use proptest::prelude::*;
 
-use super::{About, ConfigError, Course, Scenario, Source, builtin, builtin_names, describe};
+use super::{ConfigError, Source, builtin, builtin_names};
+use crate::mission::{
+    About,
+    chain::{Course, Scenario},
+    describe,
+};
 
 const PLAIN: &str = r#"name = "plain"
 duration_s = 10.0

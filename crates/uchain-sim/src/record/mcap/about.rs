@@ -6,9 +6,10 @@ use glam::Vec2;
 use twox_hash::XxHash64;
 
 use crate::{
-    config::{ConfigError, Course, Site, Source},
+    config::{ConfigError, Source},
     map::{FARTHEST_M, MOST_WALLS, Map, MapError},
     mathematics,
+    mission::{chain::Course, explore::Site},
 };
 
 /// Name of the metadata record.
@@ -39,7 +40,7 @@ pub struct About {
 }
 
 impl About {
-    pub(super) fn of(scenario: String, map: &Map, seed: u64) -> Self {
+    pub(crate) fn of(scenario: String, map: &Map, seed: u64) -> Self {
         let version = OURS.to_owned();
         let mathematics = Some(mathematics::fingerprint());
         Self { scenario, seed, version, map_offset_m: map.offset_m(), mathematics }

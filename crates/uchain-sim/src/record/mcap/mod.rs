@@ -1,13 +1,13 @@
 //! Recordings: a run in one MCAP file, to look at in Foxglove or Rerun, to read back, to fly again.
 //!
-//! [`McapRecorder`] writes, [`Recording`] reads. mcap and foxglove live here only. What is in the file:
+//! [`Out`] writes, [`Recording`] reads. mcap and foxglove live here only. What is in the file:
 //!
 //! | where | what |
 //! |---|---|
 //! | metadata `uchain` | the whole scenario in TOML, seed, version, mathematics, place of the map; see [`About`] |
 //! | attachment `walls.csv` | the walls, corner by corner |
-//! | `/frame` | [`Frame`](crate::record::Frame), every bit, 20 per simulated second; `uchain.proto` |
-//! | `/metrics` | [`Moment`](crate::record::Moment), one per decision; `uchain.proto` |
+//! | `/frame` | `Frame`, every bit, 20 per simulated second; `uchain.proto` |
+//! | `/metrics` | `Moment`, one per decision; `uchain.proto` |
 //! | `/tf` | `foxglove.FrameTransforms`: `scenario` → `map` → `uav_0`, `uav_1`, … |
 //! | `/poses` | `foxglove.PosesInFrame`, all UAVs |
 //! | `/tof/uav_0`, … | `foxglove.LaserScan`, the four beams |
@@ -20,8 +20,8 @@
 //! | where | what |
 //! |---|---|
 //! | metadata `uchain`, attachment `walls.csv` | as above |
-//! | `/frame` | [`ExploreFrame`](crate::record::ExploreFrame), every bit, 20 per simulated second; `uchain.proto` |
-//! | `/metrics` | [`Progress`](crate::record::Progress), one per round; `uchain.proto` |
+//! | `/frame` | [`ExploreFrame`](crate::mission::explore::ExploreFrame), every bit, 20 per simulated second; `uchain.proto` |
+//! | `/metrics` | [`Progress`](crate::mission::explore::Progress), one per round; `uchain.proto` |
 //! | `/tf`, `/poses` | `foxglove.FrameTransforms`, `foxglove.PosesInFrame`: `robot_0`, `robot_1`, … |
 //! | `/map`, `/robots` | `foxglove.SceneUpdate`: walls and bodies, once |
 //! | `/stars`, `/graph`, `/ways` | `foxglove.SceneUpdate`: stars with their frontiers at every change; new edges; ways round by round |
@@ -33,16 +33,20 @@
 
 mod about;
 mod message;
+mod out;
 mod read;
+pub mod scene;
 mod schema;
 #[cfg(test)]
 mod tests;
-mod write;
 
 pub use about::About;
-pub use message::Recordable;
+pub use message::{Recordable, alike, bounded, few, number, set, small, word};
+pub use out::{Channel, Out};
 pub use read::{AnyRecording, End, Frames, PlayError, ReadError, Recording};
-pub use write::{ExploreRecorder, McapRecorder};
 
-/// Topic of `uchain.Frame`.
-const FRAME_TOPIC: &str = "/frame";
+/// Topic of the frames.
+pub const FRAME_TOPIC: &str = "/frame";
+
+/// Foxglove's messages come at every second tick: 10 per simulated second.
+pub const SHOWN_TICKS: u64 = 2;

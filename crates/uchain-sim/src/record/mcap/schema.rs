@@ -6,7 +6,7 @@ use prost_types::{
     field_descriptor_proto::{Label, Type},
 };
 
-const PROTO: &str = include_str!("uchain.proto");
+const PROTO: &str = include_str!("../../mission/uchain.proto");
 
 /// The package, as it stands before every message's name.
 pub(super) const PACKAGE: &str = "uchain";

@@ -1,9 +1,11 @@
 use std::collections::BTreeMap;
 
-use super::{About, End, McapRecorder, ReadError, Recording, about};
+use super::{About, End, ReadError, Recording, about};
+use crate::mission::chain::McapRecorder;
 use crate::{
-    config::{Course, PRESETS, builtin, builtin_names},
-    record::{Frame, RecordError, Recorder, mcap::PlayError},
+    config::{PRESETS, builtin, builtin_names},
+    mission::chain::{Course, Frame},
+    record::{RecordError, Recorder, mcap::PlayError},
     replay,
     run::run,
 };
@@ -110,7 +112,7 @@ fn scenarios_are_told_apart_key_by_key() {
 /// Moves one UAV by one ulp at one tick.
 struct Tamper(McapRecorder<Vec<u8>>);
 
-impl Recorder for Tamper {
+impl Recorder<Frame> for Tamper {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         let mut frame = frame.clone();
         if frame.tick == 777 {

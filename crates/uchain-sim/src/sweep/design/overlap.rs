@@ -4,7 +4,10 @@
 use std::fmt;
 
 use super::{Design, DesignError};
-use crate::config::{Origin, Source, resolve, shorten};
+use crate::{
+    config::{Origin, Source, shorten},
+    mission::resolve,
+};
 
 /// A place that gives a key its values.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use twox_hash::XxHash64;
 use uchain_core::bounded;
 
 use super::{FolderError, durable};
-use crate::sweep::Cell;
+use crate::analyse::Cell;
 
 /// Most chunks of a sweep of few runs: each is saved early, and there is work for many threads.
 const CHUNKS: u64 = 256;

@@ -11,13 +11,15 @@ use rayon::prelude::*;
 
 use super::{Folder, FolderError, RECORDINGS, chunk, durable};
 use crate::{
-    config::Mission,
-    record::{
-        ExploreFrame, Frame, RecordError, Recorder,
-        mcap::{ExploreRecorder, McapRecorder},
+    analyse::Column,
+    mission::{
+        Mission,
+        chain::{Frame, McapRecorder},
+        explore::{ExploreFrame, ExploreRecorder},
     },
+    record::{RecordError, Recorder},
     run::RunError,
-    sweep::{Column, Flown, Run, Sweep, fly, row::has_failed},
+    sweep::{Flown, Run, Sweep, fly, row::has_failed},
 };
 
 /// Which chunks: every `of`-th, from number `number`, counted from 1. The sum of all shards is the sweep.
@@ -73,7 +75,7 @@ impl Stop<'_> {
     }
 }
 
-impl Recorder for Stop<'_> {
+impl Recorder<Frame> for Stop<'_> {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         self.look(frame.time_s())
     }
@@ -107,7 +109,7 @@ impl<W: Write> Tape<W> {
     }
 }
 
-impl<W: Write> Recorder for Tape<W> {
+impl<W: Write> Recorder<Frame> for Tape<W> {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         // A mission of the other kind has no such frames.
         if let Self::Chain(recorder) = self { recorder.frame(frame) } else { Ok(()) }

@@ -6,7 +6,7 @@ use super::{
     Folder, FolderError, RECORDINGS, Totals, durable,
     table::{REMEDY, Sealing, damaged, seal_of},
 };
-use crate::sweep::{Cell, Column, Kind};
+use crate::analyse::{Cell, Column, Kind};
 
 /// Makes one table of shards that were flown into folders of their own. The shards stay as they are. One that has every
 /// run has its table already, and gives that.

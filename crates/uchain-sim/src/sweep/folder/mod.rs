@@ -28,7 +28,8 @@ pub use manifest::Manifest;
 pub use merge::merge;
 pub use totals::Totals;
 
-use super::{Cell, Column, Sweep, row::FAILED};
+use super::{Sweep, row::FAILED};
+use crate::analyse::{Cell, Column};
 use manifest::OnDisk;
 use table::{REMEDY, Table, damaged, seal_of};
 

@@ -9,7 +9,10 @@ use super::{
     manifest::OnDisk,
     table::{REMEDY, Seal, Sealing, Writer, cannot_write, damaged},
 };
-use crate::sweep::{Cell, Column, Sweep, row::FAILED};
+use crate::{
+    analyse::{Cell, Column},
+    sweep::{Sweep, row::FAILED},
+};
 
 /// What many runs came to.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,10 +10,8 @@ use super::{
 };
 use crate::{
     clock::TICK_NS,
-    record::{
-        Frame,
-        mcap::{FRAME_TOPIC, Recordable, schema},
-    },
+    mission::chain::Frame,
+    record::mcap::{FRAME_TOPIC, Recordable, schema},
 };
 
 /// The frames of a recording, in order.
@@ -93,7 +91,7 @@ impl<R: Read, F: Recordable> Frames<R, F> {
                     self.message.clear();
                     self.message.merge(data).map_err(|error| refuse(error.to_string()))?;
                     frame.take(&self.message).map_err(refuse)?;
-                    let found = frame.count();
+                    let found = (frame.tick(), frame.crew());
                     let next = (self.tick + 1, *self.crew.get_or_insert(found.1));
                     let checked = check(found, time_ns, next, F::CREW);
                     checked.map_err(|why| ReadError::Frame { tick: self.tick, why })?;

@@ -17,13 +17,13 @@ pub use records::End;
 
 use super::about::{self, About};
 use crate::{
-    analyse::{
-        Digest, Metrics, Summary,
-        explore::{ExploreMetrics, ExploreSummary, Survey},
-    },
-    config::{Course, Site},
+    analyse::Digest,
     map::Map,
-    record::{ExploreFrame, Frame, RecordError, Recorder, mcap::Recordable},
+    mission::{
+        chain::{Course, Frame, Metrics, Summary},
+        explore::{ExploreFrame, ExploreMetrics, ExploreSummary, Site, Survey},
+    },
+    record::{RecordError, Recorder, mcap::Recordable},
 };
 use records::{Item, Records};
 
@@ -136,7 +136,11 @@ impl<R: Read> Recording<R> {
     ///
     /// # Errors
     /// [`PlayError`].
-    pub fn summary(&mut self, course: &Course, recorder: &mut impl Recorder) -> Result<Summary, PlayError> {
+    pub fn summary(
+        &mut self,
+        course: &Course,
+        recorder: &mut impl Recorder<Frame>,
+    ) -> Result<Summary, PlayError> {
         let (mut metrics, mut digest) = (Metrics::new(course), Digest::default());
         self.frames.play(&mut ((&mut metrics, &mut digest), recorder))?;
         Ok(metrics.summary(self.about.seed, digest.hex()))

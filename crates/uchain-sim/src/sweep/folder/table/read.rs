@@ -10,7 +10,10 @@ use parquet::{
 };
 
 use super::{super::FolderError, GROUP_ROWS, Result, damaged};
-use crate::sweep::{Cell, Column, Kind, fly::caught};
+use crate::{
+    analyse::{Cell, Column, Kind},
+    sweep::fly::caught,
+};
 
 /// A table that was written.
 pub(in super::super) struct Table<R: ChunkReader + 'static = File> {

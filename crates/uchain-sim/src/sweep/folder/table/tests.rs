@@ -2,7 +2,7 @@ use bytes::Bytes;
 use parquet::file::reader::{FileReader as _, SerializedFileReader};
 
 use super::*;
-use crate::sweep::{Cell, Column, Kind};
+use crate::analyse::{Cell, Column, Kind};
 
 const KINDS: [(&str, Kind); 6] = [
     ("count", Kind::Count),

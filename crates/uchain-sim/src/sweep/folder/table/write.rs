@@ -12,7 +12,7 @@ use parquet::{
 };
 
 use super::{GROUP_ENTRIES, GROUP_ROWS, Result, pages::Pages};
-use crate::sweep::{Cell, Column, Kind};
+use crate::analyse::{Cell, Column, Kind};
 
 fn field(column: &Column) -> Result<TypePtr> {
     let leaf = |name: &str, physical: Physical, logical: Option<LogicalType>| {

@@ -1,9 +1,0 @@
-//! What a chain came to, from its frames.
-
-mod head;
-mod metrics;
-mod summary;
-mod verdict;
-
-pub use metrics::Metrics;
-pub use summary::{LinkSummary, Summary};

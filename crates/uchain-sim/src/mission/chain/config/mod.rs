@@ -1,0 +1,211 @@
+//! A chain's scenario: its shape, and from text to a checked one. Field names are the file's keys.
+
+mod check;
+
+use serde::{Deserialize, Serialize};
+use toml::de::ValueDeserializer;
+use uchain_core::chain::{CenterParams, EqualizeParams, Follow, KalmanParams, LinkParams, TakeoffParams};
+
+use crate::{
+    config::{ConfigError, Document, MapConfig, Source, explain_error},
+    radio::{FaultConfig, PacketParams, PathLossParams},
+    sense::{FlowParams, TofParams},
+    world::MotionParams,
+};
+
+pub use check::UAVS_MAX;
+pub(crate) use check::thresholds;
+pub(crate) use check::values;
+
+uchain_core::params! {
+    /// One mission in one map. All tables but `map`, `chain` and `pilot` may be left out.
+    #[derive(Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct Scenario {
+        /// Short name; it names the output folder.
+        #[schemars(schema_with = "crate::config::help::shape::name")]
+        pub name: String;
+        /// One line that says what happens.
+        #[serde(default)]
+        pub description: String;
+        /// Name of a preset, which fills in what is not written here.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(schema_with = "crate::config::help::shape::preset")]
+        pub preset: Option<String>;
+        /// Simulated time (s); a multiple of the tick, 0.05 s.
+        pub duration_s: f64, in 0.05..=86_400.0;
+        /// The tunnel: one of `[map.corridor]`, `[map.walls]`, `[map.movingai]` and `[map.ros]`.
+        pub map: MapConfig;
+        /// Who flies and where they wait.
+        pub chain: ChainConfig;
+        /// What the pilot asks of the head, in order of time.
+        pub pilot: Vec<PilotStep>;
+        /// Filter of each link end.
+        #[serde(default)]
+        pub kalman: KalmanParams;
+        /// Law that levels the two links of a relay.
+        #[serde(default)]
+        pub equalize: EqualizeParams;
+        /// Law that keeps a UAV in mid-tunnel.
+        #[serde(default)]
+        pub center: CenterParams;
+        /// When the next UAV takes off.
+        #[serde(default)]
+        pub takeoff: TakeoffParams;
+        /// Head override, retreat, lost links.
+        #[serde(default)]
+        pub link: LinkParams;
+        /// Path loss.
+        #[serde(default)]
+        pub radio: PathLossParams;
+        /// Delivery of packets.
+        #[serde(default)]
+        pub packets: PacketParams;
+        /// Planned faults.
+        #[serde(default)]
+        pub faults: FaultConfig;
+        /// Distance sensors.
+        #[serde(default)]
+        pub tof: TofParams;
+        /// Optic flow.
+        #[serde(default)]
+        pub flow: FlowParams;
+        /// The body.
+        #[serde(default)]
+        pub motion: MotionParams;
+    }
+}
+
+uchain_core::params! {
+    /// Who flies and where they wait.
+    #[derive(Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct ChainConfig {
+        /// UAVs, the head included.
+        /// - Symbol: `n`
+        /// - Source: Laclau 2021, §3.1; a head and 3 relays in its §6.1.3
+        pub uavs: usize, in 1..=1000;
+        /// The base station (m).
+        #[schemars(schema_with = "crate::config::help::shape::point")]
+        pub base_m: [f64; 2];
+        /// The deepest place the head may be sent to (m). A map without a centre line needs it for what is counted in
+        /// depth: the optimum and the plan.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(schema_with = "crate::config::help::shape::point")]
+        pub goal_m: Option<[f64; 2]>;
+        /// How long a UAV flies on one battery (s), for the plan.
+        /// - Source: Laclau 2021, §7 (5 to 15 min); the value is ours
+        #[serde(default = "default_endurance_s")]
+        pub endurance_s: f32, in 1.0..=86_400.0;
+        /// Direction of the tunnel at the base, counter-clockwise from the map's x axis (degrees).
+        /// - Source: ours
+        #[serde(default)]
+        pub heading_deg: f32, in -360.0..=360.0;
+        /// Distance between waiting UAVs, in a row from the base along `heading_deg`, the head farthest (m).
+        /// - Source: ours
+        #[serde(default = "default_spacing_m")]
+        pub spacing_m: f32, in 0.0..=100.0;
+        /// Explicit waiting places instead of the row, head first, one per UAV (m).
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(schema_with = "crate::config::help::shape::points")]
+        pub spawns_m: Option<Vec<[f64; 2]>>;
+    }
+}
+
+fn default_endurance_s() -> f32 {
+    420.0
+}
+
+fn default_spacing_m() -> f32 {
+    0.25
+}
+
+uchain_core::params! {
+    /// What the pilot asks of the head from one moment on.
+    #[derive(Copy, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct PilotStep {
+        /// From when on (s), later than the step before.
+        pub start_s: f64, in 0.0..=86_400.0;
+        /// Forward speed, negative backward (m/s).
+        /// - Source: Laclau 2021, §6.1.3 (0.2)
+        pub speed_mps: f32, in -1.0..=1.0;
+        /// Wall to follow.
+        /// - Source: Laclau 2021, Eq. 21 and §7
+        #[serde(default)]
+        pub follow: Follow;
+    }
+}
+
+impl Scenario {
+    /// Reads a scenario, writes `sets` (`key=value`, the value in TOML or a bare word) over it and checks
+    /// every value on its own. Whether the tunnel can be built and flown is up to
+    /// [`Course::lay`](super::Course::lay).
+    ///
+    /// ```
+    /// use uchain_sim::{mission::chain::Scenario, config::builtin};
+    /// let source = builtin("corner").unwrap();
+    /// let scenario = Scenario::parse(&source, &["chain.uavs=3".to_owned()]).unwrap();
+    /// assert_eq!(scenario.chain.uavs, 3);
+    /// let error = Scenario::parse(&source, &["chain.uavz=3".to_owned()]).unwrap_err();
+    /// assert!(error.to_string().contains("did you mean 'uavs'?"));
+    /// ```
+    ///
+    /// # Errors
+    /// The first thing found wrong, with its place.
+    pub fn parse(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
+        let document = Document::parse(source, sets)?;
+        Self::from_document(&document)
+    }
+
+    /// The whole scenario in TOML: every value it has, whether written, set, from a preset or by default. Read
+    /// again it is the same scenario, without a preset.
+    ///
+    /// # Errors
+    /// None that a scenario from [`Scenario::parse`] could cause.
+    ///
+    /// ```
+    /// use uchain_sim::{mission::chain::Scenario, config::{Source, builtin}};
+    /// let scenario = Scenario::parse(&builtin("bend").unwrap(), &["chain.uavs=3".to_owned()]).unwrap();
+    /// let text = scenario.to_toml().unwrap();
+    /// assert!(text.contains("uavs = 3") && text.contains("sigma_db = "));
+    /// let again = Source { text, ..builtin("bend").unwrap() };
+    /// assert_eq!(Scenario::parse(&again, &[]).unwrap(), scenario);
+    /// ```
+    pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
+        toml::to_string(&Self { preset: None, ..self.clone() })
+    }
+
+    pub(crate) fn from_document(document: &Document<'_>) -> Result<Self, ConfigError> {
+        let scenario = Self::unchecked(document)?;
+        values(&scenario, document)?;
+        Ok(scenario)
+    }
+
+    /// With values of the right types, whatever they are.
+    pub(crate) fn unchecked(document: &Document<'_>) -> Result<Self, ConfigError> {
+        is_chain(document)?;
+        Self::deserialize(ValueDeserializer::from(document.root()))
+            .map_err(|error| explain_error(&error, document))
+    }
+}
+
+/// An error for what is no chain at all, where one is asked for.
+fn is_chain(document: &Document<'_>) -> Result<(), ConfigError> {
+    if !document.has("explore") {
+        return Ok(());
+    }
+    if document.has("chain") {
+        return Err(document.invalid(
+            "chain",
+            "{ … }",
+            "belongs to a chain, and a scenario with [explore] is an exploration; expected one of the two",
+        ));
+    }
+    Err(ConfigError::Invalid {
+        at: document.origin("explore"),
+        key: "explore".to_owned(),
+        got: "{ … }".to_owned(),
+        expected: "this is an exploration; expected a chain, with [chain] and [[pilot]]".to_owned(),
+    })
+}

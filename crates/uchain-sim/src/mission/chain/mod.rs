@@ -1,0 +1,269 @@
+//! A chain of UAVs that relays radio into a tunnel (Laclau 2021). One tick: sense, decide, act, advance, record.
+
+mod brains;
+mod config;
+mod frame;
+#[cfg(feature = "record")]
+mod mcap;
+mod metrics;
+#[cfg(feature = "draw")]
+mod picture;
+mod plan;
+mod scene;
+
+use glam::Vec2;
+use uchain_core::chain::{Command, Observation};
+
+use crate::{
+    clock::{period_ticks, time_s},
+    map::{Geodesic, Trail},
+    record::{RecordError, Recorder},
+    seed::{Seed, Source},
+    sense::{FlowNoise, GridRays, Rays, TofBeams, TofNoise, read_tof},
+    world::World,
+};
+
+pub use brains::ChainMission;
+pub(crate) use config::thresholds;
+pub use config::{ChainConfig, PilotStep, Scenario, UAVS_MAX};
+pub(crate) use frame::spread_db;
+pub use frame::{Frame, HeadFrame, History, LinkFrame, Moment, Silence, UavFrame};
+#[cfg(feature = "record")]
+pub use mcap::McapRecorder;
+pub use metrics::{LinkSummary, Metrics, Summary, Timeline};
+#[cfg(feature = "draw")]
+pub use picture::{plan_png, run_picture, run_png};
+pub use plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan};
+pub use scene::{Course, Spawn, Yardstick};
+
+/// A chain mission under way.
+#[derive(Debug)]
+pub struct Sim<'a, R = GridRays> {
+    world: World,
+    mission: ChainMission<'a>,
+    senses: Senses<'a, R>,
+    from_base: &'a Geodesic,
+    trail: Trail,
+    decision_ticks: u64,
+    tick: u64,
+    seen: Vec<Observation>,
+    asked: Vec<Command>,
+    frame: Frame,
+}
+
+/// The sensors of all UAVs.
+#[derive(Debug)]
+struct Senses<'a, R> {
+    rays: &'a R,
+    beams: TofBeams,
+    tof_ticks: u64,
+    tof_noise: Vec<TofNoise>,
+    flow: Vec<FlowNoise>,
+}
+
+/// Places and headings in which the UAVs wait.
+fn spawns(course: &Course) -> impl Iterator<Item = (Vec2, f32)> {
+    course.spawns.iter().map(|spawn| (spawn.at, spawn.heading_rad))
+}
+
+impl<'a> Sim<'a> {
+    /// A mission at its first tick.
+    pub fn new(course: &'a Course, seed: u64) -> Self {
+        let world = World::new(course.map.clone(), course.scenario.motion.clone(), spawns(course));
+        Self::start(course, seed, &course.rays, world)
+    }
+}
+
+impl<'a, R: Rays> Sim<'a, R> {
+    /// The same mission with these rays and every UAV in rapier at every tick: the slow way, and the measure of
+    /// [`Sim::new`] in tests and benchmarks. With [`Course::rays`] it has the same bits until something touches; with
+    /// [`ParryRays`](crate::sense::ParryRays) it is what the libraries do by themselves.
+    pub fn plain(course: &'a Course, seed: u64, rays: &'a R) -> Self {
+        let world = World::ungated(course.map.clone(), course.scenario.motion.clone(), spawns(course));
+        Self::start(course, seed, rays, world)
+    }
+
+    fn start(course: &'a Course, seed: u64, rays: &'a R, world: World) -> Self {
+        let (scenario, seed) = (&course.scenario, Seed(seed));
+        let robots = 0..course.spawns.len() as u32;
+        let tof = |i| TofNoise::new(seed.stream(i, Source::Tof), scenario.tof.clone());
+        let flow = |i| FlowNoise::new(seed.stream(i, Source::Flow), scenario.flow.clone());
+        let senses = Senses {
+            rays,
+            beams: TofBeams::new(&scenario.tof),
+            tof_ticks: period_ticks(scenario.tof.period_s),
+            tof_noise: robots.clone().map(tof).collect(),
+            flow: robots.clone().map(flow).collect(),
+        };
+        Self {
+            world,
+            mission: ChainMission::new(course, seed),
+            senses,
+            from_base: &course.from_base,
+            trail: Trail::default(),
+            decision_ticks: period_ticks(scenario.equalize.decision_s),
+            tick: 0,
+            seen: vec![Observation::default(); robots.len()],
+            asked: vec![Command::default(); robots.len()],
+            frame: Frame {
+                uavs: Vec::with_capacity(robots.len()),
+                links: Vec::with_capacity(robots.len()),
+                ..Frame::default()
+            },
+        }
+    }
+
+    /// All UAVs and the walls around them.
+    pub fn world(&self) -> &World {
+        &self.world
+    }
+
+    /// One tick.
+    ///
+    /// # Errors
+    /// Only the recorder's own.
+    pub fn step(&mut self, out: &mut impl Recorder<Frame>) -> Result<(), RecordError> {
+        let decision = self.tick.is_multiple_of(self.decision_ticks);
+        self.mission.fail(self.tick, &mut self.world);
+        self.sense(decision);
+        self.mission.decide(self.tick, &self.seen, &mut self.asked);
+        self.world.act(&self.asked);
+        self.world.advance();
+        self.tick += 1;
+        self.fill_frame(decision);
+        out.frame(&self.frame)
+    }
+
+    /// What every UAV may know at this instant.
+    fn sense(&mut self, decision: bool) {
+        let pilot = self.mission.pilot_at(time_s(self.tick));
+        let ranging = self.tick.is_multiple_of(self.senses.tof_ticks);
+        for (i, body) in self.world.bodies().iter().enumerate() {
+            let seen = &mut self.seen[i];
+            *seen = Observation { pilot: (i == 0).then_some(pilot), ..Observation::default() };
+            if ranging && body.airborne {
+                let exact = read_tof(self.senses.rays, &self.world, i, &self.senses.beams);
+                seen.tof = Some(self.senses.tof_noise[i].apply(exact));
+            }
+            if decision {
+                seen.ground_speed_mps = self.senses.flow[i].read(body);
+            }
+        }
+        if decision {
+            self.mission.exchange(self.tick, &self.world, &mut self.seen);
+        }
+    }
+
+    fn fill_frame(&mut self, decision: bool) {
+        let frame = &mut self.frame;
+        frame.tick = self.tick;
+        frame.decision = decision;
+        frame.uavs.clear();
+        frame.uavs.extend(self.world.bodies().iter().zip(&self.seen).map(|(body, seen)| UavFrame {
+            x_m: body.at.x,
+            y_m: body.at.y,
+            heading_rad: body.heading_rad(),
+            forward_mps: body.forward_mps(),
+            lateral_mps: body.lateral_mps(),
+            yaw_rate_radps: body.yaw_rate_radps,
+            airborne: body.airborne,
+            wall_contacts: body.wall_contacts,
+            uav_contacts: body.uav_contacts,
+            tof: seen.tof,
+        }));
+        let allowed_mps = self.mission.head_allowed_mps().filter(|_| self.world.bodies()[0].airborne);
+        frame.head = allowed_mps.map(|allowed_mps| HeadFrame {
+            pilot_mps: self.seen[0].pilot.unwrap_or_default().speed_mps,
+            allowed_mps,
+            asked_mps: self.asked[0].forward_mps,
+        });
+        if decision {
+            frame.links.clear();
+            frame.links.extend(self.mission.links());
+            let head = self.world.bodies()[0].at;
+            // A head pressed against a wall can stand a hair inside it; the last reach holds.
+            if let Some(reach_m) = self.from_base.follow_m(self.world.map(), &mut self.trail, head) {
+                frame.head_reach_m = reach_m;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use uchain_core::chain::RadioSlot;
+
+    use super::*;
+    use crate::{config::builtin, mission::chain::Scenario};
+
+    /// `straight` without losses at random, with these planned faults.
+    fn course(dead: &str) -> Course {
+        let source = builtin("straight").unwrap();
+        let sets = ["packets.drop_rate=0".to_owned(), format!("faults.dead=[{dead}]")];
+        Course::lay(Scenario::parse(&source, &sets).unwrap(), &source).unwrap()
+    }
+
+    /// What every UAV saw at this instant, and the frame of the tick that began then.
+    fn at(course: &Course, time_s: f64) -> (Vec<Observation>, Frame) {
+        let mut sim = Sim::new(course, 1);
+        while crate::clock::time_s(sim.tick) <= time_s {
+            sim.step(&mut ()).unwrap();
+        }
+        (sim.seen, sim.frame)
+    }
+
+    /// Whom the head hears behind itself at this instant: for how long it has flown (s).
+    fn heard_behind_head(seen: &[Observation]) -> f32 {
+        seen[0].radio.unwrap().back.unwrap().packet.flown_s
+    }
+
+    #[test]
+    fn a_uav_that_fails_is_heard_by_nobody_from_that_instant_on() {
+        let of_the_first = heard_behind_head(&at(&course(""), 60.0).0);
+        for fails_s in [60.0, 59.95, 59.85] {
+            let (seen, frame) = at(&course(&format!("{{ uav = 1, start_s = {fails_s:?} }}")), 60.0);
+            assert!(heard_behind_head(&seen) < of_the_first - 5.0, "{fails_s}: the second relay is heard");
+            assert_eq!(seen[1].radio, Some(RadioSlot::default()), "{fails_s}: the dead one hears nothing");
+            assert_eq!(frame.links.iter().map(|link| link.uav).next(), Some(0));
+            assert!(frame.links.iter().all(|link| link.uav != 1), "{fails_s}: {:?}", frame.links);
+            assert!(!frame.uavs[1].airborne && frame.uavs[1].tof.is_none(), "{fails_s}");
+        }
+        // The control: who fails a decision later is still heard.
+        let (seen, _) = at(&course("{ uav = 1, start_s = 60.2 }"), 60.0);
+        assert_eq!(heard_behind_head(&seen), of_the_first);
+    }
+
+    #[test]
+    fn a_uav_that_fails_is_in_no_sensors_sight_from_that_instant_on() {
+        // Head and relay hover, the relay behind the head on its left.
+        let hovering = |dead: &str| {
+            let source = builtin("straight").unwrap();
+            let sets = [
+                "takeoff.s_min_db=-50".to_owned(),
+                "takeoff.launch_hold_s=0".to_owned(),
+                "takeoff.after_previous_s=0".to_owned(),
+                "tof.dropout=0".to_owned(),
+                "chain.uavs=2".to_owned(),
+                "chain.spawns_m=[[1.0, 0.0], [0.8, 0.2]]".to_owned(),
+                format!("faults.dead=[{dead}]"),
+            ];
+            Course::lay(Scenario::parse(&source, &sets).unwrap(), &source).unwrap()
+        };
+        let rear_m = |dead: &str| at(&hovering(dead), 1.0).0[0].tof.unwrap().sw_m;
+        let alone = rear_m("{ uav = 1, start_s = 0 }");
+        assert_eq!(rear_m("{ uav = 1, start_s = 1.0 }"), alone);
+        assert!(
+            rear_m("{ uav = 1, start_s = 1.05 }") < alone - 0.2,
+            "the control: it is seen while it flies"
+        );
+    }
+
+    #[test]
+    fn the_next_in_line_listens_from_the_instant_on_at_which_the_one_before_it_fails() {
+        let listens = |dead: &str, uav: usize| {
+            at(&course(dead), 10.0).0[uav].radio.is_some_and(|slot| slot.front.is_some())
+        };
+        assert!(!listens("{ uav = 1, start_s = 10 }", 1) && listens("{ uav = 1, start_s = 10 }", 2));
+        assert!(listens("{ uav = 1, start_s = 10.2 }", 1) && !listens("{ uav = 1, start_s = 10.2 }", 2));
+    }
+}

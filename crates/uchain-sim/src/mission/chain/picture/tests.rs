@@ -1,0 +1,123 @@
+use super::*;
+use crate::{
+    analyse::{Outcome, Verdict},
+    config::builtin,
+    mission::chain::{Frame, LinkFrame, LinkSummary, UavFrame},
+};
+
+fn course(sets: &[&str]) -> Course {
+    let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
+    Course::read(&builtin("straight").unwrap(), &sets).unwrap()
+}
+
+/// A chain that spreads evenly behind a head at 0.2 m/s; a made-up loss.
+fn flight(course: &Course, seconds: u64) -> (History, Summary) {
+    let n = course.scenario.chain.uavs;
+    let frames = (0..5 * seconds).map(|k| {
+        let time_s = k as f32 / 5.0;
+        let flying = (1 + (time_s / 12.0) as usize).min(n);
+        let reach_m = 0.2 * time_s.min(55.0);
+        let uav = |i: usize| UavFrame {
+            x_m: if i < flying { reach_m * (flying - i) as f32 / flying as f32 } else { 0.1 },
+            y_m: 0.1 * (i as f32 - 1.0),
+            heading_rad: 0.0,
+            forward_mps: 0.2,
+            lateral_mps: 0.0,
+            yaw_rate_radps: 0.0,
+            airborne: i < flying,
+            wall_contacts: 0,
+            uav_contacts: 0,
+            tof: None,
+        };
+        let link = |i: usize| LinkFrame {
+            uav: i,
+            true_db: 40.0 + 6.0 * reach_m / flying as f32 + i as f32,
+            raw_db: None,
+            silence: None,
+            filtered_db: (k % 50 != 0).then_some(41.0 + 6.0 * reach_m / flying as f32 + (k * 7 % 5) as f32),
+        };
+        Frame {
+            tick: 4 * k,
+            decision: true,
+            uavs: (0..n).map(uav).collect(),
+            links: (0..flying).map(link).collect(),
+            head_reach_m: reach_m,
+            head: None,
+        }
+    });
+    let history = History { frames: frames.collect() };
+    let flown = history.frames.last().map_or(0, |frame| frame.links.len());
+    let summary = Summary {
+        scenario: course.scenario.name.clone(),
+        seed: 1,
+        sim_s: seconds as f64,
+        verdict: Verdict::new(Outcome::NeverFlew, Vec::new(), Vec::new()),
+        launches_s: (0..flown).map(|i| 12.0 * i as f64).collect(),
+        uavs: flown,
+        relays_used: flown.saturating_sub(1),
+        relays_needed: None,
+        bottleneck_gap_db: None,
+        links: vec![LinkSummary { uav: 0, true_db: 50.0, filtered_db: None }; flown],
+        spread_db: Some(2.3),
+        worst_link_db: None,
+        converged_s: None,
+        wall_contacts: 0,
+        uav_contacts: 0,
+        connected_fraction: Some(1.0),
+        below_limit_fraction: Some(1.0),
+        head_reach_m: 11.0,
+        digest: "0".repeat(16),
+    };
+    (history, summary)
+}
+
+/// Width and height from a PNG's header.
+fn size(png: &[u8]) -> (u32, u32) {
+    assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
+    let number = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().unwrap());
+    (number(16), number(20))
+}
+
+#[test]
+fn a_run_is_one_page_1400_px_wide() {
+    let course = course(&[]);
+    let (history, summary) = flight(&course, 120);
+    let png = run_png(&course, &history, &summary).unwrap();
+    let (width, height) = size(&png);
+    assert_eq!(width, 1400);
+    assert!((700..2000).contains(&height), "{height}");
+}
+
+#[test]
+fn nothing_flown_and_broken_numbers_still_give_a_page() {
+    let course = course(&["chain.uavs=30", "chain.spacing_m=0.15"]);
+    let (mut history, summary) = flight(&course, 400);
+    for frame in &mut history.frames {
+        frame.uavs[3].x_m = f32::NAN;
+        frame.links[0].true_db = f32::INFINITY;
+    }
+    run_png(&course, &history, &summary).unwrap();
+    let nothing = Summary { launches_s: Vec::new(), links: Vec::new(), sim_s: 0.0, ..summary };
+    run_png(&course, &History::default(), &nothing).unwrap();
+}
+
+#[test]
+fn a_plan_is_one_page_even_where_there_is_nothing_to_plan_or_no_way() {
+    let course = course(&["takeoff.s_min_db=36", "pilot.0.speed_mps=0"]);
+    let mut plan = crate::mission::chain::plan(&course, None, 1.0, None).unwrap();
+    let answer = "twelve words, of which some go to a second line of the page ".repeat(3);
+    assert_eq!(size(&plan_png(&plan, &answer).unwrap()).0, 1400);
+    plan.rows.iter_mut().for_each(|row| (row.relays_needed, row.bottleneck_db) = (None, Some(f64::INFINITY)));
+    plan_png(&plan, "").unwrap();
+    plan.rows.clear();
+    plan_png(&plan, "").unwrap();
+}
+
+#[test]
+fn a_metre_is_as_long_across_as_up() {
+    let course = course(&[]);
+    let (history, summary) = flight(&course, 120);
+    let panel = Tunnel::new(&course, &history, &summary).panel(100.0);
+    let ((x0, y0), (x1, y1)) = (panel.at(0.0, 0.0), panel.at(1.0, 1.0));
+    assert!(((x1 - x0) - (y0 - y1)).abs() < 1e-9);
+}

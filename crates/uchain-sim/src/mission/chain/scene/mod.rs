@@ -1,0 +1,258 @@
+//! A scenario laid out in its tunnel: everything a run needs, shared by many runs.
+
+mod notes;
+mod optimality;
+
+use std::sync::{Arc, OnceLock};
+
+use glam::Vec2;
+
+use super::{Scenario, config::values};
+use crate::{
+    analyse::optimum::{Chart, Charts},
+    config::{ConfigError, Document, MapConfig, Source},
+    map::{CentreLine, Geodesic, Map, Tunnel},
+    radio::{Antenna, PathLoss},
+    scene::{in_rock, lay_map, refuse, to_a_micrometre},
+    sense::GridRays,
+};
+
+pub use optimality::Yardstick;
+
+/// Where a UAV waits, in the map's frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spawn {
+    /// Place (m).
+    pub at: Vec2,
+    /// Direction of the body's x axis, counter-clockwise from the map's x axis (rad).
+    pub heading_rad: f32,
+}
+
+/// A scenario laid out in its tunnel. Everything in it has been checked; nothing changes any more.
+#[derive(Debug, Clone)]
+pub struct Course {
+    /// What was asked for.
+    pub scenario: Scenario,
+    /// The tunnel, shared with all that fly in it.
+    pub map: Arc<Map>,
+    /// Tunnel distance from the base to anywhere.
+    pub from_base: Geodesic,
+    /// The base station, in the map's frame (m).
+    pub base: Vec2,
+    /// The middle of the tunnel from the base on, where it is known: a corridor's centre line, and on other maps
+    /// the middle of the way to `chain.goal_m`. It ends at the goal if there is one.
+    pub tunnel: Option<Tunnel>,
+    /// Where the UAVs wait, head first.
+    pub spawns: Vec<Spawn>,
+    /// Radio without noise.
+    pub path_loss: PathLoss,
+    /// Distances to the walls, as the ToF sensors measure them.
+    pub rays: GridRays,
+    /// Drawn by the first [`Course::yardstick`], shared by all runs.
+    pub(crate) chart: OnceLock<Arc<Chart>>,
+    /// Charts shared with other courses.
+    pub(crate) charts: Arc<Charts>,
+}
+
+impl Course {
+    /// Reads, checks and lays out a scenario, in one go.
+    ///
+    /// ```
+    /// use uchain_sim::{mission::chain::Course, config::builtin};
+    /// let course = Course::read(&builtin("corner").unwrap(), &[]).unwrap();
+    /// assert_eq!(course.spawns.len(), course.scenario.chain.uavs);
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`Scenario::parse`] and [`Course::lay`]; each names its place, `--set` included.
+    pub fn read(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
+        let document = Document::parse(source, sets)?;
+        let scenario = Scenario::from_document(&document)?;
+        Self::lay_in(scenario, &document, None)
+    }
+
+    /// Like [`Course::read`], in a tunnel that was built before: `map` stands where the scenario names a map file,
+    /// which is not read. A corridor is built from the scenario all the same, as its middle comes with it.
+    ///
+    /// # Errors
+    /// Those of [`Course::read`].
+    pub fn read_in(source: &Source, map: Map) -> Result<Self, ConfigError> {
+        let document = Document::parse(source, &[])?;
+        let scenario = Scenario::from_document(&document)?;
+        Self::lay_in(scenario, &document, Some(map))
+    }
+
+    /// Builds the tunnel and finds everyone's place in it. `source` gives the folder for the map's path
+    /// and the lines for messages.
+    ///
+    /// # Errors
+    /// A value out of range; a map that cannot be read or built; the base or a UAV in rock or nearer to a
+    /// wall than its radius; UAVs that overlap; a UAV from which no way leads to the base.
+    pub fn lay(scenario: Scenario, source: &Source) -> Result<Self, ConfigError> {
+        let document = Document::parse(source, &[])?;
+        values(&scenario, &document)?;
+        Self::lay_in(scenario, &document, None)
+    }
+
+    fn lay_in(scenario: Scenario, document: &Document<'_>, built: Option<Map>) -> Result<Self, ConfigError> {
+        let (map, line) = match built {
+            // A corridor is built all the same, as its middle comes with it.
+            Some(map) if !matches!(scenario.map, MapConfig::Corridor(_)) => (map, None),
+            _ => lay_map(&scenario.map, scenario.chain.base_m, document)?,
+        };
+        let radius_m = scenario.motion.radius_m;
+        let spots = Spots { map: &map, radius_m, document };
+        let [x_m, y_m] = scenario.chain.base_m;
+        let base = map.to_local([x_m, y_m]);
+        if let Some(in_rock) = in_rock(&map, base) {
+            let expected = format!("the base is {in_rock}; expected free space");
+            return Err(spots.invalid("chain.base_m", &format!("[{x_m}, {y_m}]"), expected));
+        }
+        // Before the geodesic, which takes longest: a detour allows for far fewer corners.
+        let path_loss = PathLoss::new(scenario.radio.clone(), &map)
+            .map_err(|cause| refuse(document, "radio.detour_db_per_m", cause))?;
+        let from_base = map.geodesic(base).map_err(|cause| refuse(document, "chain.base_m", cause))?;
+        let tunnel = spots.tunnel(&scenario, line, base)?;
+
+        let mut spawns: Vec<Spawn> = Vec::with_capacity(scenario.chain.uavs);
+        let heading_rad = scenario.chain.heading_deg.to_radians();
+        for (index, place) in waiting_places(&scenario).into_iter().enumerate() {
+            let [place_x_m, place_y_m] = place.at_m.map(to_a_micrometre);
+            let at = map.to_local(place.at_m);
+            spots.stands_free(index, &place, at, &spawns)?;
+            if from_base.distance_m(&map, at).is_none() {
+                let expected = format!(
+                    "no way leads from the base to UAV {index} at ({place_x_m}, {place_y_m}) m; both must be in \
+                     the same tunnel"
+                );
+                return Err(spots.invalid("chain.base_m", &format!("[{x_m}, {y_m}]"), expected));
+            }
+            spawns.push(Spawn { at, heading_rad });
+        }
+        let rays = GridRays::new(&map, scenario.tof.range_m);
+        let (chart, charts) = (OnceLock::new(), Arc::default());
+        let map = Arc::new(map);
+        Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, rays, chart, charts })
+    }
+
+    /// How deep in the tunnel a place lies (m), negative behind the base; `None` where the tunnel's middle is not
+    /// known.
+    pub fn depth_m(&self, at: Vec2) -> Option<f32> {
+        self.tunnel.as_ref().map(|tunnel| tunnel.depth_m(at) as f32)
+    }
+
+    /// A UAV in mid-tunnel that flies along it, or the base at depth 0.
+    pub(crate) fn antenna_at(&self, depth_m: f64) -> Option<Antenna> {
+        let (at, heading_rad) = self.tunnel.as_ref()?.at(depth_m);
+        let heading_rad = (depth_m > 0.0).then_some(heading_rad);
+        Some(Antenna { at, heading_rad })
+    }
+}
+
+/// Where a UAV is to wait, in the scenario's frame, and the key that says so.
+struct Place {
+    key: String,
+    got: String,
+    at_m: [f64; 2],
+}
+
+/// One place per UAV, head first.
+fn waiting_places(scenario: &Scenario) -> Vec<Place> {
+    let chain = &scenario.chain;
+    if let Some(places) = &chain.spawns_m {
+        let place = |(i, &at_m): (usize, &[f64; 2])| Place {
+            key: format!("chain.spawns_m.{i}"),
+            got: format!("[{}, {}]", at_m[0], at_m[1]),
+            at_m,
+        };
+        return places.iter().enumerate().map(place).collect();
+    }
+    let (sin, cos) = libm::sincosf(chain.heading_deg.to_radians());
+    let [x_m, y_m] = chain.base_m;
+    let place = |index: usize| {
+        let along_m = chain.spacing_m * (chain.uavs - 1 - index) as f32;
+        let at_m = [x_m + f64::from(along_m * cos), y_m + f64::from(along_m * sin)];
+        if index + 1 == chain.uavs {
+            return Place { key: "chain.base_m".to_owned(), got: format!("[{x_m}, {y_m}]"), at_m };
+        }
+        Place { key: "chain.spacing_m".to_owned(), got: chain.spacing_m.to_string(), at_m }
+    };
+    (0..chain.uavs).map(place).collect()
+}
+
+/// Checks one place after the other.
+struct Spots<'a> {
+    map: &'a Map,
+    radius_m: f32,
+    document: &'a Document<'a>,
+}
+
+impl Spots<'_> {
+    fn invalid(&self, key: &str, got: &str, expected: String) -> ConfigError {
+        let got = self.document.written(key).unwrap_or_else(|| got.to_owned());
+        ConfigError::Invalid { at: self.document.origin(key), key: key.to_owned(), got, expected }
+    }
+
+    /// The tunnel from the base on, to the goal if there is one.
+    fn tunnel(
+        &self,
+        scenario: &Scenario,
+        line: Option<CentreLine>,
+        base: Vec2,
+    ) -> Result<Option<Tunnel>, ConfigError> {
+        let heading_rad = scenario.chain.heading_deg.to_radians();
+        let Some([x_m, y_m]) = scenario.chain.goal_m else {
+            return Ok(line.map(|line| Tunnel::new(line, base, heading_rad)));
+        };
+        let goal = self.map.to_local([x_m, y_m]);
+        let wrong =
+            |expected: &str| Err(self.invalid("chain.goal_m", &format!("[{x_m}, {y_m}]"), expected.into()));
+        if let Some(in_rock) = in_rock(self.map, goal) {
+            return wrong(&format!("the goal is {in_rock}; expected free space"));
+        }
+        let Some(line) = line else {
+            let path = self.map.centre_path(base, goal);
+            let line = path.map_err(|cause| refuse(self.document, "chain.goal_m", cause))?;
+            let (_, heading_rad) = line.at(0.0);
+            return Ok(Some(Tunnel::new(line, base, heading_rad)));
+        };
+        let tunnel = Tunnel::new(line, base, heading_rad);
+        let depth_m = tunnel.depth_m(goal);
+        if depth_m <= 0.0 {
+            return wrong("the goal lies behind the base; expected one ahead, as chain.heading_deg points");
+        }
+        Ok(Some(tunnel.until(depth_m)))
+    }
+
+    fn stands_free(
+        &self,
+        index: usize,
+        place: &Place,
+        at: Vec2,
+        others: &[Spawn],
+    ) -> Result<(), ConfigError> {
+        let [x_m, y_m] = place.at_m.map(to_a_micrometre);
+        let uav = format!("UAV {index} would wait at ({x_m}, {y_m}) m");
+        let wrong = |expected| Err(self.invalid(&place.key, &place.got, expected));
+        if let Some(in_rock) = in_rock(self.map, at) {
+            return wrong(format!("{uav}, which is {in_rock}; expected free space"));
+        }
+        let radius_m = self.radius_m;
+        let clearance_m = self.map.clearance_m(at);
+        if clearance_m < radius_m {
+            return wrong(format!(
+                "{uav}, {clearance_m:.3} m from a wall; expected at least its radius, {radius_m} m"
+            ));
+        }
+        for (other, spawn) in others.iter().enumerate() {
+            let apart_m = spawn.at.distance(at);
+            if apart_m < 2.0 * radius_m {
+                return wrong(format!(
+                    "{uav}, {apart_m:.3} m from UAV {other}; expected at least two radii, {} m",
+                    2.0 * radius_m
+                ));
+            }
+        }
+        Ok(())
+    }
+}

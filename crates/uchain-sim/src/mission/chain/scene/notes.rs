@@ -1,0 +1,71 @@
+//! What one should know of a chain before it starts.
+
+use crate::mission::chain::{Course, Spawn};
+use crate::radio::Antenna;
+
+impl Course {
+    /// What keeps relays on the ground, or the head from its way, although every value is one that may be asked for.
+    pub fn notes(&self) -> Vec<String> {
+        [self.row(), self.reception(), self.speed()].into_iter().flatten().collect()
+    }
+
+    /// UAVs that wait so far from the base that the first of them is over the threshold from the start. The next in
+    /// line hears the chain from where it waits, not from the base.
+    fn row(&self) -> Option<String> {
+        let s_min_db = self.scenario.takeoff.s_min_db;
+        let chain = &self.scenario.chain;
+        let loss_db = |spawn: &Spawn| {
+            let from = Antenna { at: spawn.at, heading_rad: Some(spawn.heading_rad) };
+            self.path_loss.loss_db(&self.map, &from, &self.base.into())
+        };
+        let head = self.spawns.first().filter(|head| chain.uavs > 1 && loss_db(head) > s_min_db)?;
+        let far_m = head.at.distance(self.base);
+        let words = format!(
+            "the head waits {far_m:.2} m from the base, and loses {:.1} dB on the way there: more than \
+             takeoff.s_min_db = {s_min_db} dB before anybody flies; the next relay waits beside it, hears it well and \
+             may never take off",
+            loss_db(head)
+        );
+        if chain.spawns_m.is_some() {
+            return Some(words + "; move chain.spawns_m nearer to the base");
+        }
+        let fit = self.spawns.iter().rev().take_while(|spawn| loss_db(spawn) <= s_min_db).count();
+        if fit < 2 {
+            return Some(words);
+        }
+        // Rounded down to a centimetre.
+        let row_m = chain.spacing_m * (fit - 1) as f32;
+        let spacing_m = (100.0 * row_m / (chain.uavs - 1) as f32).floor() / 100.0;
+        let closer = if spacing_m > 2.0 * self.scenario.motion.radius_m {
+            format!(" or --set chain.spacing_m={spacing_m}")
+        } else {
+            String::new()
+        };
+        Some(format!("{words}; try --set chain.uavs={fit}{closer}"))
+    }
+
+    /// A reception that ends below the threshold of a take-off.
+    fn reception(&self) -> Option<String> {
+        let (limit_db, s_min_db) = (self.scenario.packets.limit_db, self.scenario.takeoff.s_min_db);
+        (self.scenario.chain.uavs > 1 && limit_db <= s_min_db).then(|| {
+            format!(
+                "packets.limit_db = {limit_db}: no packet arrives over a link that loses more, so that none ever exceeds \
+                 takeoff.s_min_db = {s_min_db} and no relay takes off; try --set packets.limit_db={}",
+                s_min_db + 40.0
+            )
+        })
+    }
+
+    /// A pilot that asks for more than the head may fly.
+    fn speed(&self) -> Option<String> {
+        let v_max_mps = self.scenario.equalize.v_max_mps;
+        let steps = self.scenario.pilot.iter().enumerate();
+        let (index, step) = steps.into_iter().find(|(_, step)| step.speed_mps.abs() > v_max_mps)?;
+        Some(format!(
+            "pilot.{index}.speed_mps = {}: the head flies no faster than equalize.v_max_mps = {v_max_mps}; try --set \
+             equalize.v_max_mps={}",
+            step.speed_mps,
+            step.speed_mps.abs()
+        ))
+    }
+}

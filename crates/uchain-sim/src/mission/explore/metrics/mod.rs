@@ -1,0 +1,15 @@
+//! What an exploration came to, from its frames.
+
+mod gaps;
+mod history;
+mod metrics;
+mod states;
+mod summary;
+mod timeline;
+
+pub use gaps::Gap;
+pub use history::ExploreHistory;
+pub use metrics::{ExploreMetrics, Survey};
+pub use states::{Moment, States};
+pub use summary::ExploreSummary;
+pub use timeline::ExploreTimeline;
