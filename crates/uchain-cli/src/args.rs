@@ -1,4 +1,4 @@
-//! What may be asked: the grammar of the command line, made of the arguments that each command has in its own room.
+//! The command-line parser: its grammar (subcommands), made of the arguments that each command has in its own room.
 
 mod advise;
 mod text;
@@ -96,9 +96,9 @@ pub(crate) enum Command {
     },
 }
 
-/// A command line, taken apart.
-pub(crate) enum Asked {
-    /// To be obeyed.
+/// A parsed command line.
+pub(crate) enum Parsed {
+    /// To be executed.
     Command(Command),
     /// Help, version or a usage error: already on the screen.
     Answered(ExitCode),
@@ -109,16 +109,16 @@ pub(crate) fn grammar() -> clap::Command {
     Cli::command().after_help(format!("{}\n{}", text::TOP, exit::table()))
 }
 
-/// Takes a command line apart; the first argument is the program's name.
-pub(crate) fn parse(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> Asked {
+/// Parses a command line; the first argument is the program's name.
+pub(crate) fn parse(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> Parsed {
     let args: Vec<OsString> = args.into_iter().map(Into::into).collect();
     match grammar().try_get_matches_from(&args).and_then(|matches| Cli::from_arg_matches(&matches)) {
-        Ok(cli) => Asked::Command(cli.command),
+        Ok(cli) => Parsed::Command(cli.command),
         Err(answer) => {
             let exit = if answer.use_stderr() { Exit::Usage } else { Exit::Ok };
             // A reader that went away has seen enough.
             let _ = advise::advise(answer, &args).print();
-            Asked::Answered(exit.code())
+            Parsed::Answered(exit.code())
         }
     }
 }

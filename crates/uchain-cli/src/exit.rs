@@ -1,4 +1,4 @@
-//! How a command can end.
+//! Exit codes and error messages of all commands.
 
 use std::{
     fmt::Write as _,
@@ -99,7 +99,7 @@ pub(crate) enum Failure {
     #[error("{error}; {} holds the flight up to there", recording.display())]
     Cut { error: RunError, recording: PathBuf },
     #[error("{}: {cause}", file.display())]
-    Tape { file: PathBuf, cause: RecordError },
+    WriteRecording { file: PathBuf, cause: RecordError },
     #[error("{}: {cause}", file.display())]
     Recording { file: PathBuf, cause: ReadError },
     #[error("{}: recorded by uchain {theirs}, this is {OURS}: {cause}", file.display())]
@@ -206,7 +206,7 @@ impl Failure {
             | Self::Run(_)
             | Self::Cut { .. }
             | Self::Incomplete(_)
-            | Self::Tape { .. } => Exit::RunFailed,
+            | Self::WriteRecording { .. } => Exit::RunFailed,
         }
     }
 }

@@ -7,6 +7,7 @@ mod args;
 mod exit;
 mod flags;
 mod fly;
+mod monitor;
 mod output;
 mod paper;
 mod plan;
@@ -14,7 +15,6 @@ mod recording;
 mod report;
 mod sweep;
 mod teach;
-mod watch;
 
 use std::{
     ffi::OsString,
@@ -28,15 +28,15 @@ use uchain_sim::{
     mission::{Mission, describe},
 };
 
-use args::{Asked, Command};
+use args::{Command, Parsed};
 use exit::Failure;
 
 /// Runs one command line; the first argument is the program's name. Results go to stdout, all else to
 /// stderr. The exit codes are listed by `uchain --help`.
 pub fn main_with(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
     let done = match args::parse(args) {
-        Asked::Command(command) => obey(command),
-        Asked::Answered(code) => return code,
+        Parsed::Command(command) => execute(command),
+        Parsed::Answered(code) => return code,
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -51,18 +51,19 @@ pub fn main_with(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
     }
 }
 
-fn obey(command: Command) -> Result<(), Failure> {
+/// Runs the command that was parsed.
+fn execute(command: Command) -> Result<(), Failure> {
     match command {
-        Command::Run(asked) => fly::fly(&asked),
-        Command::Inspect(asked) => recording::inspect(&asked),
-        Command::Verify(asked) => recording::verify(&asked),
-        Command::Diff(asked) => recording::diff(&asked),
-        Command::Sweep(asked) => sweep::fly(&asked),
-        Command::Merge(asked) => sweep::merge(&asked),
-        Command::Report(asked) => sweep::report(&asked),
-        Command::Repro(asked) => sweep::repro(&asked),
-        Command::Plan(asked) => plan::reckon(&asked),
-        Command::Paper(asked) => paper::redraw(&asked),
+        Command::Run(args) => fly::fly(&args),
+        Command::Inspect(args) => recording::inspect(&args),
+        Command::Verify(args) => recording::verify(&args),
+        Command::Diff(args) => recording::diff(&args),
+        Command::Sweep(args) => sweep::fly(&args),
+        Command::Merge(args) => sweep::merge(&args),
+        Command::Report(args) => sweep::report(&args),
+        Command::Repro(args) => sweep::repro(&args),
+        Command::Plan(args) => plan::compute(&args),
+        Command::Paper(args) => paper::regenerate(&args),
         Command::List => print(&list()?),
         Command::Show { preset: Some(name), .. } => print(Preset::find(&name)?.text),
         Command::Show { scenario, .. } => print(&Source::find(&scenario.unwrap_or_default())?.text),

@@ -1,7 +1,7 @@
-//! Where results go, and how they get there whole or not at all: one uchain at a time writes into a folder, and what is
-//! in it is about one run.
+//! Output folders: files are written atomically (a temporary file, then renamed), one process at a time writes into a
+//! folder (a file lock), and what is in it is about one run.
 
-mod called;
+mod folder_name;
 pub(crate) mod papers;
 
 use std::{
@@ -18,7 +18,7 @@ use uchain_sim::{
 
 use crate::exit::Failure;
 
-pub(crate) use called::called;
+pub(crate) use folder_name::folder_name;
 
 /// What a command leaves in its folder.
 #[derive(Debug)]
@@ -108,7 +108,7 @@ impl Folder {
     /// A folder under `runs` or `plans` in the working folder; it is ours.
     pub(crate) fn ours(above: &str, name: &str, ending: &str) -> Result<Self, Failure> {
         let above = Path::new(above);
-        Self::enter(above.join(called::beside_others(above, name, ending)))
+        Self::enter(above.join(folder_name::beside_others(above, name, ending)))
     }
 
     fn enter(path: PathBuf) -> Result<Self, Failure> {
@@ -170,7 +170,8 @@ impl Folder {
         let file = self.path.join(name);
         let failed = |cause| Failure::Write { file: file.clone(), cause };
         let (unfinished, path) = unfinished_file(&self.path).map_err(failed)?.into_parts();
-        let started = start(unfinished).map_err(|cause| Failure::Tape { file: file.clone(), cause })?;
+        let started =
+            start(unfinished).map_err(|cause| Failure::WriteRecording { file: file.clone(), cause })?;
         // An older recording stays until the new one takes its name.
         self.clear(OF_A_RUN.iter().filter(|older| **older != name).copied())?;
         path.persist(&file).map_err(|error| failed(error.error))?;

@@ -1,4 +1,4 @@
-//! Tips below usage errors.
+//! Tips below usage errors (suggestions).
 
 use std::{ffi::OsString, path::Path};
 

@@ -1,4 +1,4 @@
-//! What stands below the options in the help of the whole, and of commands without a room: examples first.
+//! Help texts below the options, examples first: of the whole program, and of commands without a room.
 
 /// Of the whole; the table of exit codes follows.
 pub(super) const TOP: &str = "\

@@ -1,11 +1,11 @@
-//! What may be asked of a flight.
+//! Arguments of `uchain run`.
 
 use clap::{Args, ValueHint};
 
 use crate::{
     exit::Failure,
     flags::{Out, Say, Sets, seed},
-    output::{Folder, called},
+    output::{Folder, folder_name},
     recording,
 };
 
@@ -47,6 +47,6 @@ pub(crate) struct Run {
 impl Run {
     /// Where the results go.
     pub(crate) fn folder(&self) -> Result<Folder, Failure> {
-        self.out.folder(|| Folder::ours("runs", &called(&self.scenario), &format!("-s{}", self.seed)))
+        self.out.folder(|| Folder::ours("runs", &folder_name(&self.scenario), &format!("-s{}", self.seed)))
     }
 }

@@ -10,10 +10,10 @@ use uchain_sim::{
 use super::Flight;
 use crate::{
     exit::Failure,
+    monitor::{interrupted, listen_for_interrupt},
     output::{EXPLORE, Names},
-    recording::{self, Tape},
+    recording::{self, FileRecorder},
     report::Report,
-    watch::{interrupted, listen_for_interrupt},
 };
 
 pub(crate) fn explore(flight: &Flight<'_>, site: &Site) -> Result<String, Failure> {
@@ -21,13 +21,13 @@ pub(crate) fn explore(flight: &Flight<'_>, site: &Site) -> Result<String, Failur
     site.notes().iter().for_each(|words| say.note(words));
     listen_for_interrupt();
     let names = Names { recording: EXPLORE.recording.filter(|_| *is_recorded), ..EXPLORE };
-    let tape = names.recording.map(|name| Tape::of_exploration(folder, name, site, *seed));
-    let mut tape = tape.transpose()?;
+    let recorder = names.recording.map(|name| FileRecorder::of_exploration(folder, name, site, *seed));
+    let mut recorder = recorder.transpose()?;
     let mut history = ExploreHistory::default();
-    let mut watch = Watch::new(site, say.progress());
-    let flown = timed(site, *seed, &mut ((&mut history, &mut watch), &mut tape));
-    watch.end();
-    let ((summary, survey), wall_s) = recording::end(flown, tape)?;
+    let mut monitor = Monitor::new(site, say.progress());
+    let flown = timed(site, *seed, &mut ((&mut history, &mut monitor), &mut recorder));
+    monitor.end();
+    let ((summary, survey), wall_s) = recording::end(flown, recorder)?;
     let picture = uchain_sim::mission::explore::explore_png(site, &history, &survey, &summary)?;
     let states = uchain_sim::mission::explore::states_png(site, &history, &summary)?;
     let map = RosMap::explored(&site.map, site.ground(), &history.nodes, site.scenario.params.r_s_m);
@@ -54,12 +54,12 @@ fn timed(
 }
 
 /// Looks for Ctrl-C, and shows how much is known.
-struct Watch {
+struct Monitor {
     bar: ProgressBar,
     nodes: usize,
 }
 
-impl Watch {
+impl Monitor {
     fn new(site: &Site, show_progress: bool) -> Self {
         let target = if show_progress { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         // Nobody knows how long it takes.
@@ -73,7 +73,7 @@ impl Watch {
     }
 }
 
-impl Recorder<ExploreFrame> for Watch {
+impl Recorder<ExploreFrame> for Monitor {
     fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
         if interrupted() {
             self.bar.finish_and_clear();

@@ -20,10 +20,10 @@ use explore::explore;
 use crate::{
     exit::Failure,
     flags::Say,
+    monitor::{Monitor, interrupted, listen_for_interrupt},
     output::{Folder, Names, RUN},
-    recording::{self, Tape},
+    recording::{self, FileRecorder},
     report::Report,
-    watch::{Watch, interrupted, listen_for_interrupt},
 };
 
 pub(crate) fn fly(asked: &Run) -> Result<(), Failure> {
@@ -62,13 +62,13 @@ fn chain(flight: &Flight<'_>, course: &Course) -> Result<String, Failure> {
     course.notes().iter().for_each(|words| say.note(words));
     listen_for_interrupt();
     let ticks = total_ticks(course.scenario.duration_s);
-    let mut watch = Watch::new(course.spawns.len(), ticks, say.progress());
+    let mut monitor = Monitor::new(course.spawns.len(), ticks, say.progress());
     let names = Names { recording: RUN.recording.filter(|_| *is_recorded), ..RUN };
-    let tape = names.recording.map(|name| Tape::of_chain(folder, name, course, *seed));
-    let mut tape = tape.transpose()?;
-    let flown = timed(course, *seed, &mut (&mut watch, &mut tape));
-    let (summary, wall_s) = recording::end(flown, tape)?;
-    let picture = uchain_sim::mission::chain::run_png(course, &watch.into_history(), &summary)?;
+    let recorder = names.recording.map(|name| FileRecorder::of_chain(folder, name, course, *seed));
+    let mut recorder = recorder.transpose()?;
+    let flown = timed(course, *seed, &mut (&mut monitor, &mut recorder));
+    let (summary, wall_s) = recording::end(flown, recorder)?;
+    let picture = uchain_sim::mission::chain::run_png(course, &monitor.into_history(), &summary)?;
     let report = Report::new(&summary, Some(wall_s), env!("CARGO_PKG_VERSION"));
     let json = report.json()?;
     if interrupted() {

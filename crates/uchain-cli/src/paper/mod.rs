@@ -1,4 +1,4 @@
-//! The papers' figures and tables, again.
+//! `uchain paper`: regenerates the papers' figures and tables (reproduction).
 
 use std::{io::Write as _, time::Instant};
 
@@ -60,7 +60,7 @@ impl Paper {
 }
 
 #[expect(clippy::disallowed_methods, reason = "progress tells how long this computer took")]
-pub(crate) fn redraw(asked: &Paper) -> Result<(), Failure> {
+pub(crate) fn regenerate(asked: &Paper) -> Result<(), Failure> {
     let folder = asked.out.folder(|| Folder::ours("", "paper", ""))?;
     let (cache, mut done, begin) = (RunCache::default(), Vec::new(), Instant::now());
     for item in asked.asked() {

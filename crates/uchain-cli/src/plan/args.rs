@@ -1,4 +1,4 @@
-//! What may be asked of a plan.
+//! Arguments of `uchain plan`.
 
 use clap::{Args, ValueHint};
 use uchain_sim::mission::chain::UAVS_MAX;

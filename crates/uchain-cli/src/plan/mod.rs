@@ -1,4 +1,4 @@
-//! `uchain plan`: read, reckon, write, say.
+//! `uchain plan`: read, compute, write, print.
 
 mod args;
 mod bare;
@@ -16,10 +16,10 @@ use crate::{
 pub(crate) use args::Plan;
 use table::{Steps, Table};
 
-pub(crate) fn reckon(asked: &Plan) -> Result<(), Failure> {
+pub(crate) fn compute(asked: &Plan) -> Result<(), Failure> {
     let spinner = spinner(asked.say.progress());
     let (course, uavs) = bare::course(asked)?;
-    let folder = asked.out.folder(|| Folder::ours("plans", &output::called(&asked.what), ""))?;
+    let folder = asked.out.folder(|| Folder::ours("plans", &output::folder_name(&asked.what), ""))?;
     let to_m = asked.to.or_else(|| course.tunnel.as_ref().map(Tunnel::length_m));
     let steps = Steps::new(to_m.unwrap_or(1.0), asked.step);
     let plan = plan(&course, asked.to, steps.plan_m, uavs)?;

@@ -1,4 +1,4 @@
-//! A plan for people: a table against depth, and the answer in one sentence.
+//! A plan as text for people: a table over the depth of the head, and the answer in one sentence.
 
 use std::fmt::Write as _;
 

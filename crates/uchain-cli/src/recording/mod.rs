@@ -1,8 +1,8 @@
-//! What may be asked of recordings, and how they are opened.
+//! Commands on recordings (`inspect`, `verify`, `diff`): their arguments, and how a recording is opened.
 
 mod diff;
+mod file_recorder;
 mod inspect;
-mod tape;
 mod verify;
 
 use std::{
@@ -21,8 +21,8 @@ use crate::{
 };
 
 pub(crate) use diff::diff;
+pub(crate) use file_recorder::{FileRecorder, end};
 pub(crate) use inspect::inspect;
-pub(crate) use tape::{Tape, end};
 pub(crate) use verify::verify;
 
 const INSPECT_EXAMPLES: &str = "\

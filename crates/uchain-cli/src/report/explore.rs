@@ -1,4 +1,4 @@
-//! The summary of an exploration, for people.
+//! Summary of an exploration as text for people.
 
 use std::fmt::Write as _;
 

@@ -1,4 +1,4 @@
-//! A run's summary, for programs and for people.
+//! Summary of a run, as JSON for programs and as text for people.
 
 mod explore;
 

@@ -11,10 +11,10 @@ use uchain_sim::{
     },
 };
 
-use super::{Sweep, conclude::Conclusion, progress::Progress};
+use super::{Sweep, progress::Progress, summary::SweepSummary};
 use crate::{
     exit::Failure,
-    watch::{interrupted, listen_for_interrupt},
+    monitor::{interrupted, listen_for_interrupt},
 };
 
 pub(crate) fn fly(asked: &Sweep) -> Result<(), Failure> {
@@ -27,8 +27,8 @@ pub(crate) fn fly(asked: &Sweep) -> Result<(), Failure> {
     listen_for_interrupt();
     let (done, wall_s) = timed(|| on_threads(asked.threads, || work(asked, &sweep, &scenes)));
     let (folder, sweep, totals, is_complete) = done.map_err(FolderError::from)??;
-    let conclusion = Conclusion::new(&folder, &sweep, totals, is_complete, wall_s);
-    asked.say.result(&conclusion.json()?, || conclusion.text())
+    let summary = SweepSummary::new(&folder, &sweep, totals, is_complete, wall_s);
+    asked.say.result(&summary.json()?, || summary.text())
 }
 
 /// Everything that takes long; says in the end whether all runs are there.

@@ -1,11 +1,11 @@
-//! Many runs: what may be asked of them.
+//! Commands on sweeps, many runs of a scenario (`sweep`, `merge`, `report`, `repro`): their arguments.
 
-mod conclude;
 mod fly;
 mod merge;
 mod progress;
 mod report;
 mod repro;
+mod summary;
 
 use std::path::PathBuf;
 

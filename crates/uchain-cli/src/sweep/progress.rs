@@ -1,4 +1,4 @@
-//! How far a sweep has come.
+//! Progress bar of a sweep.
 
 use std::{
     sync::atomic::{AtomicU64, Ordering},
@@ -8,7 +8,7 @@ use std::{
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use uchain_sim::sweep::folder::{FolderError, Watch};
 
-use crate::watch::interrupted;
+use crate::monitor::interrupted;
 
 /// A bar with rate and time left; on a terminal only.
 pub(super) struct Progress {

@@ -12,7 +12,7 @@ pub(crate) fn repro(asked: &Repro) -> Result<(), Failure> {
     let run = sweep.run(asked.run);
     let mission = sweep.lay(run.variant)?;
     let file = folder.manifest().file.as_deref();
-    let name = file.map_or_else(|| sweep.about().name.clone(), output::called);
+    let name = file.map_or_else(|| sweep.about().name.clone(), output::folder_name);
     let ours = || output::Folder::ours("runs", &name, &format!("-run{}", run.index));
     let flight =
         Flight { seed: run.seed, folder: asked.out.folder(ours)?, is_recorded: true, say: &asked.say };

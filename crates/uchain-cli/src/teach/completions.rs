@@ -1,4 +1,4 @@
-//! `uchain completions`: the grammar as a script for a shell.
+//! `uchain completions`: the grammar as a completion script for a shell.
 
 use clap::{Arg, ValueHint, builder::PossibleValuesParser};
 use clap_complete::Shell;

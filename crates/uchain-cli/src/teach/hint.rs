@@ -1,4 +1,4 @@
-//! What to do about a mistake: a line below the message.
+//! Hints below error messages: what to do about a mistake, in a line.
 
 use std::path::Path;
 

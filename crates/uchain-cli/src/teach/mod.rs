@@ -1,4 +1,4 @@
-//! What tells rather than does: explanations, hints, completions, manual pages.
+//! Help beyond `--help`: explanations of keys, JSON Schema, hints below errors, shell completions, manual pages.
 
 mod completions;
 mod explain;

@@ -12,7 +12,7 @@ use uchain_sim::{
 };
 
 use super::{Inspect, open};
-use crate::{exit::Failure, output::INSPECT, report::Report, watch::Watch};
+use crate::{exit::Failure, monitor::Monitor, output::INSPECT, report::Report};
 
 /// Moments in JSON, at most twice as many.
 const MOMENTS: usize = 500;
@@ -45,9 +45,9 @@ fn chain(asked: &Inspect, mut recording: Recording<impl Read>) -> Result<(), Fai
     let course = course.map_err(|cause| Failure::refused(&asked.file, &recording.about, cause))?;
     let of_ticks = total_ticks(course.scenario.duration_s);
     let lost_s = course.scenario.link.lost_s;
-    let mut watch = Watch::new(course.spawns.len(), of_ticks, false);
+    let mut monitor = Monitor::new(course.spawns.len(), of_ticks, false);
     let mut timeline = Timeline::new(MOMENTS, lost_s);
-    let summary = recording.summary(&course, &mut (&mut watch, &mut timeline));
+    let summary = recording.summary(&course, &mut (&mut monitor, &mut timeline));
     let summary = summary.map_err(|cause| Failure::played(&asked.file, &recording.about, cause))?;
     let ticks = recording.frames.tick();
 
@@ -59,7 +59,7 @@ fn chain(asked: &Inspect, mut recording: Recording<impl Read>) -> Result<(), Fai
     let json = serde_json::to_string_pretty(&inspected)? + "\n";
     let mut files = asked.file.display().to_string();
     if let Some(folder) = folder {
-        let picture = uchain_sim::mission::chain::run_png(&course, &watch.into_history(), &summary)?;
+        let picture = uchain_sim::mission::chain::run_png(&course, &monitor.into_history(), &summary)?;
         folder.write(&INSPECT, json.as_bytes(), &picture, &[])?;
         files = folder.says(&INSPECT);
     }

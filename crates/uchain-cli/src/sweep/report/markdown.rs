@@ -1,4 +1,4 @@
-//! The report as text.
+//! The report of a sweep in Markdown.
 
 use std::fmt::Write as _;
 

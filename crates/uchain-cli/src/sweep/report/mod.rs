@@ -1,4 +1,4 @@
-//! `uchain report`: what a sweep came to, in tables and pictures.
+//! `uchain report`: statistics of a sweep, in tables and pictures.
 
 mod markdown;
 mod pictures;

@@ -1,4 +1,5 @@
-//! What is drawn against what: the first key with numbers stands on the axis, every combination of the others is a line.
+//! Charts of a sweep, what is drawn over what: the first key with numbers stands on the axis, every combination of the
+//! others is a line.
 
 use uchain_core::bounded;
 use uchain_sim::{

@@ -1,4 +1,4 @@
-//! What a sweep came to, for programs and for people.
+//! Summary of a sweep, as JSON for programs and as text for people.
 
 use std::fmt::Write as _;
 
@@ -10,7 +10,7 @@ use uchain_sim::sweep::{
 
 /// What `--json` prints.
 #[derive(Debug, Serialize)]
-pub(super) struct Conclusion {
+pub(super) struct SweepSummary {
     scenario: String,
     seed: u64,
     version: String,
@@ -30,7 +30,7 @@ pub(super) struct Conclusion {
     digest: String,
 }
 
-impl Conclusion {
+impl SweepSummary {
     pub(super) fn new(folder: &Folder, sweep: &Sweep, totals: Totals, complete: bool, wall_s: f64) -> Self {
         let manifest = folder.manifest();
         Self {

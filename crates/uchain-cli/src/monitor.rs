@@ -1,4 +1,4 @@
-//! What looks on while a run flies: the user's Ctrl-C, the progress bar, the picture's memory.
+//! Monitors a run while it flies: Ctrl-C (SIGINT), the progress bar, and the frames for the picture.
 
 use std::sync::{
     Once,
@@ -38,9 +38,9 @@ pub(crate) fn interrupted() -> bool {
 const PLACES_MAX: usize = 2_000_000;
 const FRAMES: (usize, usize) = (500, 8000);
 
-/// Looks on, and keeps decision frames for the picture: all of a short run, every 2nd, 4th, … of a long
-/// one, so that memory is bounded.
-pub(crate) struct Watch {
+/// Progress bar, and decision frames for the picture: all of a short run, every 2nd, 4th, … of a long one (decimation),
+/// so that memory is bounded.
+pub(crate) struct Monitor {
     history: History,
     frames_max: usize,
     stride: u64,
@@ -49,8 +49,8 @@ pub(crate) struct Watch {
     bar: ProgressBar,
 }
 
-impl Watch {
-    /// Looks on at a run of so many ticks; the bar shows only on a terminal.
+impl Monitor {
+    /// Monitors a run of so many ticks; the bar shows only on a terminal.
     pub(crate) fn new(uavs: usize, ticks: u64, show_progress: bool) -> Self {
         let target = if show_progress { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some(ticks), target);
@@ -94,7 +94,7 @@ impl Watch {
     }
 }
 
-impl Recorder<Frame> for Watch {
+impl Recorder<Frame> for Monitor {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         if interrupted() {
             self.bar.finish_and_clear();
@@ -117,11 +117,11 @@ mod tests {
 
     #[test]
     fn a_long_run_is_kept_evenly_spaced_in_bounded_memory_with_its_last_frame() {
-        let mut watch = Watch::new(4000, 0, false);
+        let mut monitor = Monitor::new(4000, 0, false);
         for tick in 0..100_001 {
-            watch.frame(&Frame { tick, decision: true, ..Frame::default() }).unwrap();
+            monitor.frame(&Frame { tick, decision: true, ..Frame::default() }).unwrap();
         }
-        let ticks: Vec<u64> = watch.into_history().frames.iter().map(|frame| frame.tick).collect();
+        let ticks: Vec<u64> = monitor.into_history().frames.iter().map(|frame| frame.tick).collect();
         assert!((250..=501).contains(&ticks.len()), "{}", ticks.len());
         assert_eq!((ticks[0], ticks[ticks.len() - 1]), (0, 100_000));
         let step = ticks[1] - ticks[0];

@@ -1,4 +1,4 @@
-//! What a folder of results is called: a name that every disk takes, and another one for every file.
+//! Names of result folders (sanitized file names): valid on every file system, and another one for every input file.
 
 use std::{fs, path::Path};
 
@@ -14,7 +14,7 @@ const NUMBERED: [&str; 2] = ["com", "lpt"];
 
 /// Of what was asked for: a built-in scenario goes by its name, a file by its own, whatever the scenario in it says it
 /// is called.
-pub(crate) fn called(asked: &str) -> String {
+pub(crate) fn folder_name(asked: &str) -> String {
     if builtin(asked).is_some() {
         return asked.to_owned();
     }
@@ -78,7 +78,7 @@ mod tests {
             ("schéma_2-b.yaml", "schéma_2-b"),
             ("地図.map", "地図"),
         ] {
-            assert_eq!(called(asked), name);
+            assert_eq!(folder_name(asked), name);
         }
     }
 
@@ -101,7 +101,7 @@ mod tests {
             &long("a"),
             &long("b"),
         ];
-        let mut names: Vec<String> = files.iter().map(|file| called(file)).collect();
+        let mut names: Vec<String> = files.iter().map(|file| folder_name(file)).collect();
         for name in &names {
             let (_, hash) = name.rsplit_once('-').unwrap();
             assert!(hash.len() == 8 && hash.chars().all(|c| c.is_ascii_hexdigit()), "{name}");
@@ -111,7 +111,7 @@ mod tests {
         names.sort();
         names.dedup();
         assert_eq!(names.len(), files.len());
-        assert_eq!(called("context.toml"), "context", "only whole names are reserved");
+        assert_eq!(folder_name("context.toml"), "context", "only whole names are reserved");
     }
 
     #[test]

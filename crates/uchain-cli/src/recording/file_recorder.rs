@@ -1,4 +1,4 @@
-//! The recording of a mission, while it flies.
+//! Records a mission to a file while it flies (MCAP), crash-safe.
 
 use std::{fs::File, io::BufWriter, path::PathBuf};
 
@@ -15,21 +15,21 @@ use crate::{exit::Failure, output::Folder};
 
 /// `run.mcap` under way. It has its name from the first tick on, and every whole chunk is in the file at once: a run
 /// that is killed leaves a recording of all but its last moments.
-pub(crate) struct Tape<T> {
+pub(crate) struct FileRecorder<T> {
     recorder: T,
     file: PathBuf,
 }
 
 type Out = BufWriter<File>;
 
-impl Tape<McapRecorder<Out>> {
+impl FileRecorder<McapRecorder<Out>> {
     pub(crate) fn of_chain(folder: &Folder, name: &str, course: &Course, seed: u64) -> Result<Self, Failure> {
         let start = |file| McapRecorder::start(Out::new(file), course, seed);
         folder.begin(name, start).map(|(recorder, file)| Self { recorder, file })
     }
 }
 
-impl Tape<ExploreRecorder<Out>> {
+impl FileRecorder<ExploreRecorder<Out>> {
     pub(crate) fn of_exploration(
         folder: &Folder,
         name: &str,
@@ -59,17 +59,20 @@ impl Finish for ExploreRecorder<Out> {
 }
 
 /// Ends a recording, if there is one, as its run has ended.
-pub(crate) fn end<T, R: Finish>(flown: Result<T, RunError>, tape: Option<Tape<R>>) -> Result<T, Failure> {
-    let Some(Tape { recorder, file }) = tape else { return Ok(flown?) };
+pub(crate) fn end<T, R: Finish>(
+    flown: Result<T, RunError>,
+    recorder: Option<FileRecorder<R>>,
+) -> Result<T, Failure> {
+    let Some(FileRecorder { recorder, file }) = recorder else { return Ok(flown?) };
     match (flown, recorder.finish()) {
         (Ok(flown), Ok(())) => Ok(flown),
-        (Ok(_), Err(cause)) => Err(Failure::Tape { file, cause }),
+        (Ok(_), Err(cause)) => Err(Failure::WriteRecording { file, cause }),
         // Without its index the file is readable as well, and a disk that was full still is.
         (Err(error), _) => Err(Failure::Cut { error, recording: file }),
     }
 }
 
-impl<F, R: Recorder<F>> Recorder<F> for Tape<R> {
+impl<F, R: Recorder<F>> Recorder<F> for FileRecorder<R> {
     fn frame(&mut self, frame: &F) -> Result<(), RecordError> {
         self.recorder.frame(frame)
     }
