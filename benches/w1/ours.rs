@@ -23,7 +23,7 @@ pub(crate) struct Ours {
 impl Ours {
     pub(crate) fn new(map: &Arc<Map>, count: usize, seen: Seen) -> Self {
         let motion = MotionParams { radius_m: RADIUS_M, ..MotionParams::default() };
-        let mut world = World::new(map.clone(), motion, spawns(count).into_iter());
+        let mut world = World::new(map.clone(), motion, spawns(count));
         let asked = vec![Command { airborne: true, ..Command::default() }; count];
         world.act(&asked);
         let tof = TofParams { range_m: RANGE_M, rays: 1, period_s: 0.05, ..TofParams::default() };

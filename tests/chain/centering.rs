@@ -82,7 +82,7 @@ fn fly(pass: &Pass, law: CenterLaw) -> End {
     // Backward, the tail leads.
     let heading_rad = tangent_rad + pass.askew_rad + if pass.backward { PI } else { 0.0 };
     let spawn = (start + along.perp() * pass.offset_m, heading_rad);
-    let mut world = World::new(map.clone(), MotionParams::default(), [spawn].into_iter());
+    let mut world = World::new(map.clone(), MotionParams::default(), [spawn]);
     let tof = TofParams::default();
     let (rays, beams) = (GridRays::new(&map, tof.range_m), TofBeams::new(&tof));
     let mut noise = TofNoise::new(Seed(pass.seed).stream(0, Source::Tof), tof);

@@ -13,6 +13,11 @@ fn straight(width_m: f64) -> Arc<Map> {
     corridor(&[vertex(0.0), vertex(10.0)], width_m, false).unwrap().0.into()
 }
 
+/// Heading east.
+fn at_rest(at: Vec2) -> Body {
+    Body::new(Waypoint { at, z_m: 0.0, heading_rad: 0.0 }, false)
+}
+
 fn fly(world: &mut World, asked: &[Command], ticks: usize) {
     for _ in 0..ticks {
         world.act(asked);
@@ -28,8 +33,7 @@ fn ahead(forward_mps: f32) -> Command {
 fn a_uav_flown_into_a_wall_is_stopped_at_its_radius_and_counts_one_contact() {
     let map = straight(1.0);
     for (heading, speed) in [(0.3_f32, 0.3), (1.57, 0.05), (1.57, 0.5), (-0.8, 1.0), (-1.57, 0.3)] {
-        let mut world =
-            World::new(map.clone(), MotionParams::default(), [(Vec2::new(2.0, 0.0), heading)].into_iter());
+        let mut world = World::new(map.clone(), MotionParams::default(), [(Vec2::new(2.0, 0.0), heading)]);
         for _ in 0..400 {
             fly(&mut world, &[ahead(speed)], 1);
             let gap_mm = (map.clearance_m(world.bodies()[0].at) - 0.06) * 1000.0;
@@ -46,7 +50,7 @@ fn a_uav_flown_into_a_wall_is_stopped_at_its_radius_and_counts_one_contact() {
 fn touching_leaving_and_touching_again_are_two_contacts() {
     let map = straight(1.0);
     let spawn = (Vec2::new(2.0, 0.0), core::f32::consts::FRAC_PI_2);
-    let mut world = World::new(map.clone(), MotionParams::default(), [spawn].into_iter());
+    let mut world = World::new(map.clone(), MotionParams::default(), [spawn]);
     for _ in 0..2 {
         fly(&mut world, &[ahead(0.3)], 60);
         fly(&mut world, &[ahead(-0.3)], 20);
@@ -59,7 +63,7 @@ fn uavs_cannot_pass_through_one_another() {
     // Too narrow for two abreast.
     let map = straight(0.2);
     let spawns = [(Vec2::new(4.0, 0.0), core::f32::consts::PI), (Vec2::new(2.0, 0.0), 0.0)];
-    let mut world = World::new(map.clone(), MotionParams::default(), spawns.into_iter());
+    let mut world = World::new(map.clone(), MotionParams::default(), spawns);
     for _ in 0..400 {
         fly(&mut world, &[ahead(0.3), ahead(0.3)], 1);
         let apart_m = world.bodies()[0].at.distance(world.bodies()[1].at);
@@ -74,7 +78,7 @@ fn uavs_cannot_pass_through_one_another() {
 fn a_uav_on_the_ground_neither_moves_nor_blocks() {
     let map = straight(1.0);
     let spawns = [(Vec2::new(2.0, 0.0), 0.0), (Vec2::new(3.0, 0.0), 0.0)];
-    let mut world = World::new(map.clone(), MotionParams::default(), spawns.into_iter());
+    let mut world = World::new(map.clone(), MotionParams::default(), spawns);
     fly(&mut world, &[ahead(0.3), Command { forward_mps: 0.3, ..Command::default() }], 200);
     assert!(world.bodies()[0].at.x > 4.0);
     assert_eq!(world.bodies()[1].at, Vec2::new(3.0, 0.0));
@@ -93,7 +97,7 @@ fn a_free_body_that_went_through_rapier_has_the_very_bits_of_one_that_glides() {
             let at = Vec2::new(far_m * random.normal(), far_m * random.normal());
             let body = RigidBodyBuilder::dynamic().lock_rotations().can_sleep(false).translation(at);
             let (handle, _) = physics.insert(body, ColliderBuilder::ball(0.06));
-            let (mut ours, mut through) = (Body::new(at, 0.0), Body::new(at, 0.0));
+            let (mut ours, mut through) = (at_rest(at), at_rest(at));
             for _ in 0..20 {
                 ours.velocity_mps = Vec2::new(0.3 * random.normal(), 0.3 * random.normal());
                 physics.bodies[handle].set_translation(through.at, true);
@@ -114,7 +118,7 @@ fn a_free_body_that_went_through_rapier_has_the_very_bits_of_one_that_glides() {
 #[test]
 fn what_pushes_a_body_along_one_axis_leaves_its_way_along_the_other() {
     let (at, velocity_mps) = (Vec2::new(9e4, -7.0), Vec2::new(0.1, 0.0));
-    let mut body = Body::new(at, 0.0);
+    let mut body = at_rest(at);
     for _ in 0..1000 {
         // A plain sum stands still along x, and is pushed along y.
         body.follow(Vec2::new(body.at.x, body.at.y + 0.001), velocity_mps, TICK_S);
@@ -127,7 +131,7 @@ fn what_pushes_a_body_along_one_axis_leaves_its_way_along_the_other() {
 fn velocity_follows_its_command_with_the_lag_and_within_the_acceleration_limit() {
     let map = straight(3.0);
     let spawn = (Vec2::new(1.0, 0.0), 0.0);
-    let mut world = World::new(map.clone(), MotionParams::default(), [spawn].into_iter());
+    let mut world = World::new(map.clone(), MotionParams::default(), [spawn]);
     let mut last_mps = 0.0;
     for _ in 0..40 {
         fly(&mut world, &[ahead(1.0)], 1);
@@ -141,8 +145,8 @@ fn velocity_follows_its_command_with_the_lag_and_within_the_acceleration_limit()
 #[test]
 fn a_world_owns_its_map_and_flies_on_another_thread() {
     let (map, spawn) = (straight(1.0), (Vec2::new(1.0, 0.0), 0.0));
-    let mut here = World::new(map.clone(), MotionParams::default(), [spawn].into_iter());
-    let mut there = World::new(map, MotionParams::default(), [spawn].into_iter());
+    let mut here = World::new(map.clone(), MotionParams::default(), [spawn]);
+    let mut there = World::new(map, MotionParams::default(), [spawn]);
     let flown = std::thread::spawn(move || {
         fly(&mut there, &[ahead(0.3)], 40);
         there.bodies()[0]

@@ -22,7 +22,7 @@ use crate::{
     record::{RecordError, Recorder},
     seed::{Seed, Source, Stream},
     sense::Scanner,
-    world::{Fleet, PointMass, Quadrotor, Vehicle, Waypoint},
+    world::{MotionParams, PointMass, Quadrotor, Vehicle, Waypoint, World},
 };
 
 pub(crate) use config::CHAIN_ONLY;
@@ -49,7 +49,7 @@ type Seen = (Pose, Option<Vec<Option<f32>>>);
 pub struct Exploration<'a> {
     site: &'a Site,
     team: Team,
-    fleet: Fleet,
+    world: World,
     scanner: Scanner,
     /// Noise of where robots believe they are.
     noise: Vec<Stream>,
@@ -116,7 +116,11 @@ impl<'a> Exploration<'a> {
                 robots: vehicles.iter().map(|body| pending(body.now())).collect(),
                 ..ExploreFrame::default()
             },
-            fleet: Fleet::new(site.map.clone(), params.r_body_m, vehicles),
+            world: World::new(
+                site.map.clone(),
+                MotionParams { radius_m: params.r_body_m, ..MotionParams::default() },
+                vehicles,
+            ),
             site,
         })
     }
@@ -133,7 +137,7 @@ impl<'a> Exploration<'a> {
             stopped = self.decide();
             self.act();
         }
-        self.fleet.advance();
+        self.world.advance();
         self.tick += 1;
         stopped = stopped.or((self.tick >= self.last_tick).then_some(Stopped::Time));
         self.fill_frame(decision, stopped);
@@ -148,7 +152,7 @@ impl<'a> Exploration<'a> {
 
     /// Whether a round begins: all are there, and have looked around.
     fn is_ready(&mut self) -> bool {
-        if !self.fleet.has_arrived() {
+        if !self.world.has_arrived() {
             return false;
         }
         let scan_ticks = if self.scanning { whole_ticks(self.site.scenario.team.scan_s) } else { 0 };
@@ -159,7 +163,7 @@ impl<'a> Exploration<'a> {
     fn sense(&mut self) {
         let sigma_m = self.site.scenario.team.position_sigma_m;
         self.stood.clear();
-        for ((body, seen), noise) in self.fleet.stand().zip(&mut self.seen).zip(&mut self.noise) {
+        for ((body, seen), noise) in self.world.stand().zip(&mut self.seen).zip(&mut self.noise) {
             self.stood.push(body.at);
             let (pose, scan) = seen;
             let off =
@@ -188,7 +192,9 @@ impl<'a> Exploration<'a> {
             let (pose, scan) = &mut self.seen[i];
             let asked = Vec2::new(command.to.x_m - pose.at.x_m, command.to.y_m - pose.at.y_m);
             let at = if point(from) == pose.at { place(command.to) } else { from + asked };
-            self.fleet.fly_to(i, Waypoint { at, z_m: command.z_m, heading_rad: command.heading_rad });
+            let to = Waypoint { at, z_m: command.z_m, heading_rad: command.heading_rad };
+            let told = self.world.command(i, to.into());
+            debug_assert_eq!(told, Ok(()), "one body flies to waypoints for every robot of the team");
             *scan = command.scan.then(Vec::new);
             self.scanning |= command.scan;
         }
@@ -220,12 +226,11 @@ impl<'a> Exploration<'a> {
             frame.edges.extend_from_slice(&news.edges);
             frame.hubs = whole.hub_count() as u32;
         }
-        let contacts = self.fleet.contacts();
-        for ((robot, body), met) in frame.robots.iter_mut().zip(self.fleet.now()).zip(contacts) {
+        for (robot, body) in frame.robots.iter_mut().zip(self.world.bodies()) {
             (robot.x_m, robot.y_m, robot.z_m) = (body.at.x, body.at.y, body.z_m);
-            robot.heading_rad = body.heading_rad;
-            (robot.wall_contacts, robot.robot_contacts) = (met.walls, met.robots);
-            robot.level_passes = met.passes;
+            robot.heading_rad = body.heading_rad();
+            (robot.wall_contacts, robot.robot_contacts) = (body.wall_contacts, body.uav_contacts);
+            robot.level_passes = body.level_passes;
         }
     }
 }

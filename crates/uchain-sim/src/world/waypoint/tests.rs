@@ -1,27 +1,47 @@
-use super::*;
+use std::sync::Arc;
+
+use super::{overlap::TOUCH_M, *};
 use crate::{
-    map::drawn,
+    map::{Map, drawn},
     seed::{Seed, Source},
+    world::{Body, MotionParams, World},
 };
+
+/// What a body has touched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+struct Touches {
+    walls: u32,
+    robots: u32,
+    passes: u32,
+}
+
+impl From<&Body> for Touches {
+    fn from(body: &Body) -> Self {
+        Self { walls: body.wall_contacts, robots: body.uav_contacts, passes: body.level_passes }
+    }
+}
+
+/// Points of 0.1 m in radius, with 0.5 m/s in every direction.
+fn points(map: Arc<Map>, starts: &[Waypoint]) -> World {
+    let body = |&start: &Waypoint| Box::new(PointMass::new(start, 0.5, 0.5)) as Box<dyn Vehicle>;
+    World::new(map, MotionParams { radius_m: 0.1, ..MotionParams::default() }, starts.iter().map(body))
+}
 
 fn at(x: f32, y: f32, z_m: f32) -> Waypoint {
     Waypoint { at: Vec2::new(x, y), z_m, heading_rad: 0.0 }
 }
 
-fn fly(starts: &[Waypoint], ends: &[Waypoint]) -> (u32, Vec<Touches>) {
+fn fly(starts: &[Waypoint], ends: &[Waypoint]) -> (u64, Vec<Touches>) {
     let map = Arc::new(drawn(&[vec![[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]]]).unwrap());
-    let body = |&start: &Waypoint| Box::new(PointMass::new(start, 0.5, 0.5)) as Box<dyn Vehicle>;
-    let mut fleet = Fleet::new(map, 0.1, starts.iter().map(body).collect());
+    let mut world = points(map, starts);
     for (i, &end) in ends.iter().enumerate() {
-        fleet.fly_to(i, end);
+        world.command(i, end.into()).unwrap();
     }
-    let mut ticks = 0;
-    while !fleet.has_arrived() {
-        fleet.advance();
-        ticks += 1;
+    while !world.has_arrived() {
+        world.advance();
     }
-    assert!(fleet.now().zip(ends).all(|(now, &end)| now == end));
-    (ticks, fleet.contacts().collect())
+    assert!(world.bodies().iter().zip(ends).all(|(body, &end)| body.pose() == end));
+    (world.tick(), world.bodies().iter().map(Touches::from).collect())
 }
 
 #[test]
@@ -97,8 +117,7 @@ fn contacts_are_those_that_all_pairs_in_every_tick_have() {
             at(spread_m * (random.uniform() - 0.5), spread_m * (random.uniform() - 0.5), 0.5 + 0.5 * level)
         };
         let starts: Vec<Waypoint> = (0..count).map(|_| place()).collect();
-        let body = |&start: &Waypoint| Box::new(PointMass::new(start, 0.5, 0.5)) as Box<dyn Vehicle>;
-        let mut fleet = Fleet::new(map.clone(), 0.1, starts.iter().map(body).collect());
+        let mut world = points(map.clone(), &starts);
         let mut levels_m: Vec<f32> = starts.iter().map(|start| start.z_m).collect();
         let mut oracle = AllPairs::default();
         let near_m = 2.0 * 0.1 - TOUCH_M;
@@ -107,14 +126,15 @@ fn contacts_are_those_that_all_pairs_in_every_tick_have() {
             if tick % 40 == 0 {
                 for (i, level_m) in levels_m.iter_mut().enumerate() {
                     let to = place();
-                    fleet.fly_to(i, to);
+                    world.command(i, to.into()).unwrap();
                     *level_m = to.z_m;
                 }
             }
-            fleet.advance();
-            let now: Vec<Waypoint> = fleet.now().collect();
+            world.advance();
+            let now: Vec<Waypoint> = world.bodies().iter().map(Body::pose).collect();
             oracle.feel(&now, &levels_m, near_m);
-            let met: Vec<(u32, u32)> = fleet.contacts().map(|met| (met.robots, met.passes)).collect();
+            let met: Vec<(u32, u32)> =
+                world.bodies().iter().map(|body| (body.uav_contacts, body.level_passes)).collect();
             assert_eq!(met, oracle.met, "seed {seed}, tick {tick}");
         }
         total = oracle.met.iter().fold(total, |sum, met| (sum.0 + met.0, sum.1 + met.1));

@@ -1,4 +1,4 @@
-//! Who is near whom: the UAVs in the air, sorted into square cells.
+//! The index of neighbours: a uniform grid with the list of each cell's bodies (cell lists).
 
 use glam::Vec2;
 
@@ -6,27 +6,27 @@ use super::Body;
 
 /// Up to here one cell holds everybody: looking at all is quicker than sorting.
 const ONE_CELL: usize = 16;
-/// Cells per UAV, at most.
-const CELLS_PER_UAV: usize = 4;
+/// Cells per body, at most.
+const CELLS_PER_BODY: usize = 4;
 
-/// UAVs in the air at one instant, cell after cell. Keeps its memory from one instant to the next.
+/// Bodies in the air at one instant, cell after cell. Keeps its memory from one instant to the next.
 #[derive(Debug, Clone)]
-pub(super) struct Crowd {
+pub(super) struct NeighbourGrid {
     /// Least side of a cell (m).
     least_cell_m: f32,
     low: Vec2,
     cells_per_m: f32,
     cols: usize,
     rows: usize,
-    /// Where each cell's UAVs start; one more than there are cells.
+    /// Where each cell's bodies start; one more than there are cells.
     starts: Vec<u32>,
-    /// The UAVs of all cells, and where they are (m).
-    uavs: Vec<u32>,
+    /// The bodies of all cells, and where they are (m).
+    indices: Vec<u32>,
     at: Vec<Vec2>,
 }
 
-impl Crowd {
-    /// For `count` UAVs and questions that mostly reach `reach_m` far.
+impl NeighbourGrid {
+    /// For `count` bodies and questions that mostly reach `reach_m` far.
     pub(super) fn new(count: usize, reach_m: f32) -> Self {
         Self {
             least_cell_m: reach_m,
@@ -34,8 +34,8 @@ impl Crowd {
             cells_per_m: 0.0,
             cols: 1,
             rows: 1,
-            starts: Vec::with_capacity(CELLS_PER_UAV * count + 2),
-            uavs: Vec::with_capacity(count),
+            starts: Vec::with_capacity(CELLS_PER_BODY * count + 2),
+            indices: Vec::with_capacity(count),
             at: Vec::with_capacity(count),
         }
     }
@@ -44,7 +44,7 @@ impl Crowd {
     pub(super) fn sort(&mut self, bodies: &[Body]) {
         let flying = || bodies.iter().enumerate().filter(|(_, body)| body.airborne);
         let count = flying().count();
-        self.uavs.clear();
+        self.indices.clear();
         self.at.clear();
         self.starts.clear();
         let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
@@ -56,12 +56,12 @@ impl Crowd {
         // Infinite for few, and where somebody is nowhere.
         if !(high - low).is_finite() {
             (self.low, self.cells_per_m, self.cols, self.rows) = (Vec2::ZERO, 0.0, 1, 1);
-            self.uavs.extend(flying().map(|(i, _)| i as u32));
+            self.indices.extend(flying().map(|(i, _)| i as u32));
             self.at.extend(flying().map(|(_, body)| body.at));
             self.starts.extend([0, count as u32]);
             return;
         }
-        self.lay_cells(low, high - low, CELLS_PER_UAV * count);
+        self.lay_cells(low, high - low, CELLS_PER_BODY * count);
         // Counts, then sums: each cell's end, which filling from behind turns into its start.
         self.starts.resize(self.cols * self.rows + 1, 0);
         for (_, body) in flying() {
@@ -73,13 +73,13 @@ impl Crowd {
             total += *start;
             *start = total;
         }
-        self.uavs.resize(count, 0);
+        self.indices.resize(count, 0);
         self.at.resize(count, Vec2::ZERO);
         for (i, body) in bodies.iter().enumerate().rev().filter(|(_, body)| body.airborne) {
             let cell = self.cell_of(body.at);
             self.starts[cell] -= 1;
             let place = self.starts[cell] as usize;
-            self.uavs[place] = i as u32;
+            self.indices[place] = i as u32;
             self.at[place] = body.at;
         }
     }
@@ -109,7 +109,7 @@ impl Crowd {
         row * self.cols + col
     }
 
-    /// Every UAV nearer than `reach_m` to `at`, whoever stands right there included, and its place (m).
+    /// Every body nearer than `reach_m` to `at`, whoever stands right there included, and its place (m).
     pub(super) fn near(&self, at: Vec2, reach_m: f32) -> impl Iterator<Item = (usize, Vec2)> {
         let (left, bottom) = self.column_and_row(at - reach_m);
         let (right, top) = self.column_and_row(at + reach_m);
@@ -117,9 +117,19 @@ impl Crowd {
             let from = self.starts[row * self.cols + left] as usize;
             let to = self.starts[row * self.cols + right + 1] as usize;
             let near = move |place: Vec2| place.distance_squared(at) < reach_m * reach_m;
-            let here = self.uavs[from..to].iter().zip(&self.at[from..to]);
-            here.filter_map(move |(uav, place)| near(*place).then_some((*uav as usize, *place)))
+            let here = self.indices[from..to].iter().zip(&self.at[from..to]);
+            here.filter_map(move |(index, place)| near(*place).then_some((*index as usize, *place)))
         })
+    }
+
+    /// All pairs nearer than `reach_m` to each other (m), lower index first, ascending.
+    pub(super) fn pairs(&self, reach_m: f32, pairs: &mut Vec<[usize; 2]>) {
+        pairs.clear();
+        for (&i, &at) in self.indices.iter().zip(&self.at) {
+            let others = self.near(at, reach_m).map(|(j, _)| j).filter(|&j| j > i as usize);
+            pairs.extend(others.map(|j| [i as usize, j]));
+        }
+        pairs.sort_unstable();
     }
 }
 
@@ -127,17 +137,18 @@ impl Crowd {
 mod tests {
     use super::*;
     use crate::seed::{Seed, Source};
+    use crate::world::Waypoint;
 
     fn body(at: Vec2, airborne: bool) -> Body {
-        let mut body = Body::new(at, 0.0);
+        let mut body = Body::new(Waypoint { at, z_m: 0.0, heading_rad: 0.0 }, false);
         body.airborne = airborne;
         body
     }
 
-    fn crowd_of(bodies: &[Body], reach_m: f32) -> Crowd {
-        let mut crowd = Crowd::new(bodies.len(), reach_m);
-        crowd.sort(bodies);
-        crowd
+    fn grid_of(bodies: &[Body], reach_m: f32) -> NeighbourGrid {
+        let mut grid = NeighbourGrid::new(bodies.len(), reach_m);
+        grid.sort(bodies);
+        grid
     }
 
     #[test]
@@ -150,27 +161,35 @@ mod tests {
                     body(at, i % 5 != 0)
                 })
                 .collect();
-            let crowd = crowd_of(&bodies, 0.5);
-            assert!(crowd.cols * crowd.rows <= CELLS_PER_UAV * count);
+            let grid = grid_of(&bodies, 0.5);
+            assert!(grid.cols * grid.rows <= CELLS_PER_BODY * count);
             for reach_m in [0.2, 0.5, 3.0, 1e9] {
                 let at = Vec2::new(random.uniform() - 0.7, random.uniform() - 0.2) * spread_m * 1.2;
-                let mut found: Vec<(usize, Vec2)> = crowd.near(at, reach_m).collect();
+                let mut found: Vec<(usize, Vec2)> = grid.near(at, reach_m).collect();
                 found.sort_by_key(|(uav, _)| *uav);
                 let near = |body: &Body| body.airborne && body.at.distance_squared(at) < reach_m * reach_m;
                 let expected: Vec<(usize, Vec2)> =
                     bodies.iter().enumerate().filter(|(_, b)| near(b)).map(|(i, b)| (i, b.at)).collect();
                 assert_eq!(found, expected, "{count} over {spread_m} m, {reach_m} m around {at}");
             }
+            let (mut pairs, mut expected) = (Vec::new(), Vec::new());
+            grid.pairs(0.5, &mut pairs);
+            for (i, a) in bodies.iter().enumerate().filter(|(_, body)| body.airborne) {
+                let later = bodies.iter().enumerate().skip(i + 1).filter(|(_, body)| body.airborne);
+                let near = later.filter(|(_, b)| a.at.distance_squared(b.at) < 0.25);
+                expected.extend(near.map(|(j, _)| [i, j]));
+            }
+            assert_eq!(pairs, expected, "{count} over {spread_m} m");
         }
     }
 
     #[test]
     fn a_place_that_is_none_has_nobody_near() {
         let bodies = vec![body(Vec2::ZERO, true); 40];
-        let crowd = crowd_of(&bodies, 1.0);
+        let grid = grid_of(&bodies, 1.0);
         for at in [Vec2::NAN, Vec2::INFINITY, Vec2::NEG_INFINITY] {
-            assert_eq!(crowd.near(at, 1.0).next(), None, "near {at}");
+            assert_eq!(grid.near(at, 1.0).next(), None, "near {at}");
         }
-        assert_eq!(crowd_of(&[], 1.0).near(Vec2::ZERO, 1.0).next(), None);
+        assert_eq!(grid_of(&[], 1.0).near(Vec2::ZERO, 1.0).next(), None);
     }
 }

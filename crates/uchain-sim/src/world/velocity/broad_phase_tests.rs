@@ -1,13 +1,14 @@
-//! The gate against rapier alone: what it lets by must move as if it had not.
+//! The broad phase against rapier alone: what it lets by must move as if it had not.
 
 use glam::Vec2;
 use uchain_core::chain::Command;
 
-use super::{gate::GateMode, *};
+use super::{super::World, *};
 use crate::{
     map::{Map, Vertex, corridor},
     seed::{Seed, Source, Stream},
 };
+use std::sync::Arc;
 
 /// A ring with corners, 1 m wide.
 fn ring() -> Map {
@@ -26,12 +27,12 @@ fn free_place(map: &Map, random: &mut Stream, others: &[(Vec2, f32)]) -> (Vec2, 
     }
 }
 
-/// Two worlds that differ in their gate, with the same UAVs under the same random commands; calls `compare` after
+/// Two worlds that differ in their broad phase, with the same UAVs under the same random commands; calls `compare` after
 /// every tick.
 fn fly_both(
     seed: u64,
     count: usize,
-    modes: [GateMode; 2],
+    modes: [Solved; 2],
     ticks: usize,
     mut compare: impl FnMut(usize, &[Body], &[Body]),
 ) {
@@ -41,7 +42,8 @@ fn fly_both(
     for _ in 0..count {
         spawns.push(free_place(&map, &mut random, &spawns));
     }
-    let world = |mode| World::with_gate(map.clone(), MotionParams::default(), spawns.iter().copied(), mode);
+    let world =
+        |mode| World::with_broad_phase(map.clone(), MotionParams::default(), spawns.iter().copied(), mode);
     let [mut one, mut other] = modes.map(world);
     let mut asked = vec![Command::default(); count];
     for tick in 0..ticks {
@@ -66,9 +68,9 @@ fn fly_both(
 
 /// The tick at which the first contact begins in `fly_both`'s second world, and the first at which the two differ in
 /// a bit.
-fn first_contact_and_difference(seed: u64, count: usize, mode: GateMode) -> (usize, usize) {
+fn first_contact_and_difference(seed: u64, count: usize, mode: Solved) -> (usize, usize) {
     let (mut contact, mut difference) = (usize::MAX, usize::MAX);
-    fly_both(seed, count, [mode, GateMode::Open], 300, |tick, one, other| {
+    fly_both(seed, count, [mode, Solved::Everybody], 300, |tick, one, other| {
         if other.iter().any(|body| body.wall_contacts + body.uav_contacts > 0) {
             contact = contact.min(tick);
         }
@@ -80,11 +82,11 @@ fn first_contact_and_difference(seed: u64, count: usize, mode: GateMode) -> (usi
 }
 
 #[test]
-fn until_something_touches_gated_and_ungated_uavs_have_the_same_bits() {
+fn until_something_touches_uavs_with_and_without_a_broad_phase_have_the_same_bits() {
     let mut compared = 0;
     for seed in 0..60 {
         let count = [1, 2, 5, 30][seed as usize % 4];
-        let (contact, difference) = first_contact_and_difference(seed, count, GateMode::Near);
+        let (contact, difference) = first_contact_and_difference(seed, count, Solved::Near);
         assert!(difference >= contact, "seed {seed}: {difference} before the contact at {contact}");
         compared += contact.min(300);
     }
@@ -92,20 +94,20 @@ fn until_something_touches_gated_and_ungated_uavs_have_the_same_bits() {
 }
 
 #[test]
-fn without_a_gate_that_opens_the_comparison_fails() {
+fn with_a_broad_phase_that_finds_nobody_the_comparison_fails() {
     let found = (0..60).step_by(4).any(|seed| {
-        let (contact, difference) = first_contact_and_difference(seed, 1, GateMode::Shut);
+        let (contact, difference) = first_contact_and_difference(seed, 1, Solved::Nobody);
         contact != usize::MAX && difference != usize::MAX
     });
     assert!(found);
 }
 
 #[test]
-fn in_contact_gated_and_ungated_uavs_stay_within_a_millimetre_and_count_alike() {
+fn in_contact_uavs_with_and_without_a_broad_phase_stay_within_a_millimetre_and_count_alike() {
     let mut contacts = 0;
     for seed in 0..60 {
         let mut worst_mm = 0.0_f32;
-        fly_both(seed, 2, [GateMode::Near, GateMode::Open], 600, |tick, one, other| {
+        fly_both(seed, 2, [Solved::Near, Solved::Everybody], 600, |tick, one, other| {
             for (a, b) in one.iter().zip(other) {
                 worst_mm = worst_mm.max(1000.0 * a.at.distance(b.at));
                 let counts = |body: &Body| (body.wall_contacts, body.uav_contacts);
@@ -113,7 +115,7 @@ fn in_contact_gated_and_ungated_uavs_stay_within_a_millimetre_and_count_alike() 
             }
         });
         assert!(worst_mm < 1.0, "seed {seed}: {worst_mm} mm apart");
-        fly_both(seed, 2, [GateMode::Near, GateMode::Near], 600, |tick, one, _| {
+        fly_both(seed, 2, [Solved::Near, Solved::Near], 600, |tick, one, _| {
             if tick == 599 {
                 contacts += one.iter().map(|body| body.wall_contacts + body.uav_contacts).sum::<u32>();
             }

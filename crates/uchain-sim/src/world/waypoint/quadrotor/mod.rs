@@ -55,6 +55,10 @@ impl Quadrotor {
 }
 
 impl Vehicle for Quadrotor {
+    fn place(&mut self, at: Waypoint) {
+        (self.state, self.to) = (State::hovering(at.heading_rad), at);
+    }
+
     fn fly_to(&mut self, to: Waypoint) {
         self.state.move_by((self.to.at - to.at).extend(self.to.z_m - to.z_m));
         self.to = to;

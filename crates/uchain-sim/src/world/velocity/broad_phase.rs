@@ -1,35 +1,35 @@
-//! Who could touch something within the coming tick: only they need a solver.
+//! The broad phase: who could touch something within the coming tick. Only they need a solver.
 //!
-//! Every UAV carries the distance it can fly before that question has to be asked again. It is spent as the UAV
-//! moves; two UAVs share the gap between them. So hardly anybody is looked at in a tick.
+//! Every body carries the distance it can fly before that question has to be asked again (conservative advancement). It
+//! is spent as the body moves; two bodies share the gap between them. So hardly anybody is looked at in a tick.
 
-use super::{Body, MotionParams, crowd::Crowd};
+use super::{Body, MotionParams, NeighbourGrid};
 use crate::{clock::TICK_S, map::Map};
 
 /// Slack of "within reach" over what one tick's motion can close (m), …
 const SLACK_M: f32 = 0.01;
 /// … and over the largest coordinate (m/m): a place that is rounded can be off by so much, and move by so much more.
 const ROUNDING_PER_M: f32 = 2.0 * f32::EPSILON;
-/// Farthest a UAV may fly unasked (m): it bounds how far its neighbours have to be looked for.
+/// Farthest a body may fly unasked (m): it bounds how far its neighbours have to be looked for.
 const ROAM_MAX_M: f32 = 0.5;
 /// More than rounding can add to a distance flown (m).
 const ROUNDING_M: f32 = 1e-4;
 
 /// Who goes through the solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum GateMode {
+pub(in crate::world) enum Solved {
     /// Those who are near something.
     Near,
     /// Everybody in the air, always: the slow way, and the measure of the other.
-    Open,
-    /// Nobody, ever: what a test of the gate must notice.
+    Everybody,
+    /// Nobody, ever: what a test of the broad phase must notice.
     #[cfg(test)]
-    Shut,
+    Nobody,
 }
 
 /// Everybody's distance to go, and who is near something now.
 #[derive(Debug)]
-pub(super) struct Gate {
+pub(in crate::world) struct BroadPhase {
     /// How far each can fly before it could come within reach of a contact (m).
     roam_m: Vec<f32>,
     near: Vec<bool>,
@@ -39,11 +39,11 @@ pub(super) struct Gate {
     /// Pairs within reach of each other, ascending, lower index first.
     pairs: Vec<(u32, u32)>,
     due: Vec<u32>,
-    mode: GateMode,
+    solved: Solved,
 }
 
-impl Gate {
-    pub(super) fn new(count: usize, mode: GateMode) -> Self {
+impl BroadPhase {
+    pub(super) fn new(count: usize, solved: Solved) -> Self {
         Self {
             roam_m: vec![0.0; count],
             near: vec![false; count],
@@ -51,18 +51,18 @@ impl Gate {
             before: Vec::with_capacity(count),
             pairs: Vec::with_capacity(count),
             due: Vec::with_capacity(count),
-            mode,
+            solved,
         }
     }
 
-    /// Farthest a UAV looks for others.
-    pub(super) fn reach_m(params: &MotionParams) -> f32 {
+    /// Farthest a body looks for others.
+    pub(in crate::world) fn reach_m(params: &MotionParams) -> f32 {
         2.0 * (params.radius_m + ROAM_MAX_M) + SLACK_M
     }
 
     /// Whether this one could touch something within the coming tick.
-    pub(super) fn is_near(&self, uav: usize) -> bool {
-        self.near[uav]
+    pub(super) fn is_near(&self, body: usize) -> bool {
+        self.near[body]
     }
 
     /// All who could, ascending.
@@ -80,22 +80,32 @@ impl Gate {
         &self.pairs
     }
 
+    /// Nobody has been asked yet.
+    pub(super) fn reset(&mut self) {
+        self.roam_m.fill(0.0);
+        self.near.fill(false);
+        for list in [&mut self.list, &mut self.before, &mut self.due] {
+            list.clear();
+        }
+        self.pairs.clear();
+    }
+
     /// Looks ahead over the coming tick.
-    pub(super) fn look(&mut self, map: &Map, crowd: &Crowd, bodies: &[Body], radius_m: f32) {
+    pub(super) fn look(&mut self, map: &Map, neighbours: &NeighbourGrid, bodies: &[Body], radius_m: f32) {
         core::mem::swap(&mut self.list, &mut self.before);
         self.list.clear();
         self.due.clear();
         self.pairs.clear();
-        for &uav in &self.before {
-            self.near[uav as usize] = false;
+        for &body in &self.before {
+            self.near[body as usize] = false;
         }
         for (i, body) in bodies.iter().enumerate() {
-            if body.airborne && (self.mode == GateMode::Open || self.roam_m[i] < stride_m(body)) {
+            if body.airborne && (self.solved == Solved::Everybody || self.roam_m[i] < stride_m(body)) {
                 self.due.push(i as u32);
             }
         }
         for k in 0..self.due.len() {
-            self.ask(self.due[k] as usize, map, crowd, bodies, radius_m);
+            self.ask(self.due[k] as usize, map, neighbours, bodies, radius_m);
         }
         if !self.list.is_empty() {
             self.list.sort_unstable();
@@ -104,19 +114,22 @@ impl Gate {
         }
     }
 
-    fn ask(&mut self, i: usize, map: &Map, crowd: &Crowd, bodies: &[Body], radius_m: f32) {
+    fn ask(&mut self, i: usize, map: &Map, neighbours: &NeighbourGrid, bodies: &[Body], radius_m: f32) {
         let body = &bodies[i];
         let stride_i_m = stride_m(body);
         let slack_m = SLACK_M + ROUNDING_PER_M * body.at.abs().max_element();
-        let wall_gap_m = map.clearance_m(body.at) - radius_m - slack_m;
-        if self.mode == GateMode::Open || wall_gap_m < stride_i_m {
+        // Walls are in no waypoint's way: whoever flies to one is looked at for the others' sake only.
+        let wall_gap_m =
+            if body.kinematic { f32::INFINITY } else { map.clearance_m(body.at) - radius_m - slack_m };
+        if self.solved == Solved::Everybody || wall_gap_m < stride_i_m {
             self.mark(i);
         }
         // Who is nowhere (NaN) is asked in every tick.
         let roomy = wall_gap_m > ROUNDING_M;
         let mut roam_m = if roomy { (wall_gap_m - ROUNDING_M).min(ROAM_MAX_M) } else { 0.0 };
         let reach_m = 2.0 * radius_m + slack_m + ROAM_MAX_M + stride_i_m.max(ROAM_MAX_M);
-        for (j, at) in crowd.near(body.at, reach_m).filter(|(j, _)| *j != i) {
+        let others = neighbours.near(body.at, reach_m).filter(|(j, _)| *j != i);
+        for (j, at) in others.filter(|(j, _)| solves(body, &bodies[*j])) {
             let gap_m = at.distance(body.at) - 2.0 * radius_m - slack_m;
             if gap_m < stride_i_m + stride_m(&bodies[j]) {
                 self.mark(i);
@@ -131,26 +144,36 @@ impl Gate {
         self.roam_m[i] = roam_m;
     }
 
-    fn mark(&mut self, uav: usize) {
+    fn mark(&mut self, body: usize) {
         #[cfg(test)]
-        if self.mode == GateMode::Shut {
+        if self.solved == Solved::Nobody {
             return;
         }
-        if !self.near[uav] {
-            self.near[uav] = true;
-            self.list.push(uav as u32);
+        if !self.near[body] {
+            self.near[body] = true;
+            self.list.push(body as u32);
         }
     }
 
-    /// A UAV has flown this far.
-    pub(super) fn spend(&mut self, uav: usize, flown_m: f32) {
-        self.roam_m[uav] -= flown_m;
+    /// A body has flown this far.
+    pub(super) fn spend(&mut self, body: usize, flown_m: f32) {
+        self.roam_m[body] -= flown_m;
     }
 
-    /// A UAV has been where this gate does not know: it is asked in the next tick.
-    pub(super) fn forget(&mut self, uav: usize) {
-        self.roam_m[uav] = 0.0;
+    /// A body has been where this broad phase does not know: it is asked once it moves.
+    pub(super) fn forget(&mut self, body: usize) {
+        self.roam_m[body] = 0.0;
     }
+
+    /// A body is in others' way who do not know of it yet: it is asked in the next tick, moving or not.
+    pub(super) fn ask_next(&mut self, body: usize) {
+        self.roam_m[body] = -1.0;
+    }
+}
+
+/// Whether a pair's contacts are a solver's: on one level, with at least one that can be pushed.
+fn solves(a: &Body, b: &Body) -> bool {
+    a.level_m == b.level_m && !(a.kinematic && b.kinematic)
 }
 
 /// How far a body flies in the coming tick if nothing stops it (m).
