@@ -6,7 +6,10 @@ use clap::{
     builder::StyledStr,
     error::{ContextKind, ContextValue, ErrorKind},
 };
-use uchain_sim::config::{builtin, help, kind_of_map};
+use uchain_sim::{
+    config::{builtin, kind_of_map},
+    mission,
+};
 
 /// A usage error with a tip, if what was meant can be guessed.
 pub(super) fn advise(mut error: clap::Error, args: &[OsString]) -> clap::Error {
@@ -39,7 +42,7 @@ fn missing(argument: &str) -> Option<String> {
 /// `--uavs` where there is no such option, only a key.
 fn key_as_option(argument: &str) -> Option<String> {
     let word = argument.strip_prefix("--")?.split('=').next()?.replace('-', "_");
-    match help::explain(&word).ok()?.as_slice() {
+    match mission::explain(&word).ok()?.as_slice() {
         [key] => Some(format!("a key of the scenario: --set {}=VALUE", key.key)),
         _ => None,
     }
@@ -52,7 +55,7 @@ fn apart(args: &[OsString]) -> Option<String> {
     let mut pairs = starts.filter_map(|(start, _)| {
         let key = words.get(start + 1)?.trim_end_matches('=');
         let value = words.iter().skip(start + 2).find(|word| **word != "=")?;
-        let is_pair = help::explain(key).is_ok() && !value.starts_with("--");
+        let is_pair = mission::explain(key).is_ok() && !value.starts_with("--");
         is_pair.then(|| format!("--set takes one word: --set {key}={}", value.trim_start_matches('=')))
     });
     pairs.next()
@@ -66,7 +69,7 @@ fn forgotten(word: &str) -> Option<String> {
     if is_scenario {
         return Some(format!("to fly a scenario: uchain run {word}"));
     }
-    let is_key = !word.is_empty() && help::explain(word).is_ok();
+    let is_key = !word.is_empty() && mission::explain(word).is_ok();
     is_key.then(|| format!("to read about a key: uchain explain {word}"))
 }
 

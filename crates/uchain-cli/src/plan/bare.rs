@@ -4,7 +4,10 @@ use std::path::Path;
 
 use uchain_sim::{
     config::{ConfigError, Source, kind_of_map},
-    mission::chain::{Course, PilotStep},
+    mission::{
+        self,
+        chain::{Course, PilotStep},
+    },
 };
 
 use super::Plan;
@@ -29,7 +32,7 @@ pub(super) fn course(asked: &Plan) -> Result<(Course, Option<usize>), Failure> {
     let shorts = shorts(asked, key.as_deref());
     let typed = asked.sets.set.iter().cloned();
     let sets: Vec<String> = shorts.iter().map(|short| short.assignment.clone()).chain(typed).collect();
-    let mut course = Course::read(&source, &sets).map_err(|error| explain(error, asked, &shorts))?;
+    let mut course = mission::course(&source, &sets).map_err(|error| explain(error, asked, &shorts))?;
 
     let uavs = asked.uavs.or((!is_map).then_some(course.scenario.chain.uavs));
     if let Some(speed_mps) = asked.speed {

@@ -2,7 +2,10 @@
 
 use std::fmt::Write as _;
 
-use uchain_sim::config::help::{self, Explanation, Unit, Written};
+use uchain_sim::{
+    config::help::{Explanation, Unit, Written},
+    mission,
+};
 
 use crate::{exit::Failure, print};
 
@@ -14,7 +17,7 @@ const INDENT: usize = 13;
 pub(crate) fn explain(key: Option<&str>) -> Result<(), Failure> {
     // Copied from a file, or from --set.
     let key = key.unwrap_or_default().split('=').next().unwrap_or_default().trim();
-    let found = help::explain(key.trim_matches(['[', ']']))?;
+    let found = mission::explain(key.trim_matches(['[', ']']))?;
     match found.as_slice() {
         [only] if !only.is_table => print(&card(only)),
         several => print(&list(several)),

@@ -2,7 +2,10 @@
 
 use std::path::Path;
 
-use uchain_sim::config::{ConfigError, Origin, Preset, builtin, help};
+use uchain_sim::{
+    config::{ConfigError, Origin, Preset, builtin},
+    mission,
+};
 
 use crate::{args::grammar, exit::Failure};
 
@@ -31,7 +34,7 @@ pub(crate) fn hint(failure: &Failure) -> Option<String> {
         ConfigError::UnknownChoice { key, .. }
         | ConfigError::Missing { key, .. }
         | ConfigError::Invalid { key, .. } => {
-            help::explain(key).is_ok().then(|| format!("what may stand there: uchain explain {key}"))
+            mission::explain(key).is_ok().then(|| format!("what may stand there: uchain explain {key}"))
         }
         ConfigError::NotText { .. }
         | ConfigError::TooLong { .. }
@@ -47,7 +50,7 @@ fn about_key(key: &str) -> String {
     if grammar().find_subcommand("run").is_some_and(|run| run.get_arguments().any(is_option)) {
         return format!("no key of a scenario but an option: uchain run NAME --{key}");
     }
-    match key.rsplit_once('.').filter(|(table, _)| help::explain(table).is_ok()) {
+    match key.rsplit_once('.').filter(|(table, _)| mission::explain(table).is_ok()) {
         Some((table, _)) => format!("keys of {table}: uchain explain {table}"),
         None => "all keys: uchain explain".to_owned(),
     }

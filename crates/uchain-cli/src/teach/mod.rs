@@ -10,11 +10,11 @@ pub(crate) use explain::explain;
 pub(crate) use hint::hint;
 pub(crate) use man::man;
 
-use uchain_sim::config::help;
+use uchain_sim::mission;
 
 use crate::{exit::Failure, print};
 
 /// `uchain schema`.
 pub(crate) fn schema() -> Result<(), Failure> {
-    print(&(serde_json::to_string_pretty(&help::schema())? + "\n"))
+    print(&(serde_json::to_string_pretty(&mission::schema())? + "\n"))
 }

@@ -3,7 +3,7 @@
 use super::{
     ConfigError, Document,
     diagnose::{Choices, Origin, shorten},
-    keys::{TABLES, called, join, nearly_called, renamed},
+    keys::{KnownKeys, join},
 };
 
 /// Puts the deserializer's words into ours.
@@ -13,12 +13,12 @@ pub(crate) fn explain(error: &toml::de::Error, document: &Document<'_>) -> Confi
     let at = if path.is_empty() { document.whole() } else { document.place(&span) };
     let message = error.message();
     if let Some((got, known)) = unknown(message, "unknown field `") {
-        return unknown_key(at, &path, got, known);
+        return unknown_key(at, &path, got, known, document.known());
     }
     if let Some((got, known)) = unknown(message, "unknown variant `") {
         // The variants of `map` are tables: there the word is a key.
         if path.split('.').any(|step| step == shorten(got)) {
-            return unknown_key(at, &path, got, known);
+            return unknown_key(at, &path, got, known, document.known());
         }
         let choices = Box::new(Choices::for_word(got, known));
         return ConfigError::UnknownChoice { at, key: path, got: shorten(got), choices };
@@ -41,7 +41,8 @@ pub(crate) fn explain(error: &toml::de::Error, document: &Document<'_>) -> Confi
         Some(got) if !is_within(found, &got) => got,
         _ => plain_value(found),
     };
-    let expected = if path == "map" { MAPS.to_owned() } else { plain_type(expected, &path) };
+    let expected =
+        if path == "map" { MAPS.to_owned() } else { plain_type(expected, &path, document.known()) };
     ConfigError::Invalid { at, got, key: path, expected: format!("expected {expected}") }
 }
 
@@ -74,25 +75,23 @@ fn plain_value(found: &str) -> String {
 
 /// A key of one of the tables within `path` that was written in `path` itself.
 fn misplaced(path: &str, document: &Document<'_>) -> Option<(&'static str, &'static str)> {
-    let within =
-        TABLES.iter().filter(|(table, _)| table.rsplit_once('.').is_some_and(|(above, _)| above == path));
-    let mut keys = within.flat_map(|(table, keys)| keys.iter().map(move |key| (*table, key.name)));
-    keys.find(|(_, name)| document.written(&join(path, name)).is_some())
+    document.known().keys_within(path).find(|(_, name)| document.written(&join(path, name)).is_some())
 }
 
-fn unknown_key(at: Origin, path: &str, got: &str, known: Vec<String>) -> ConfigError {
+/// `known` are the keys that could stand there, `all` those that could stand anywhere.
+fn unknown_key(at: Origin, path: &str, got: &str, known: Vec<String>, all: &KnownKeys) -> ConfigError {
     let steps: Vec<&str> = path.split('.').filter(|step| !step.is_empty()).collect();
     let depth = steps.iter().rposition(|step| *step == shorten(got)).unwrap_or(steps.len());
     let table = steps.get(..depth).unwrap_or_default().join(".");
     let key = join(&table, &shorten(got));
     let mut choices = Box::new(Choices::for_word(got, known));
     // A right key in a wrong table is more likely than a slip in its name.
-    if let Some(new) = renamed(&key) {
+    if let Some(new) = all.renamed(&key) {
         choices.nearest = Some(new.to_owned());
-    } else if let [elsewhere] = called(got).as_slice() {
+    } else if let [elsewhere] = all.called(got).as_slice() {
         choices.nearest = Some(elsewhere.clone());
     } else if choices.nearest.is_none() {
-        choices.nearest = nearly_called(got);
+        choices.nearest = all.nearly_called(got);
     }
     ConfigError::UnknownKey { at, key, choices }
 }
@@ -108,20 +107,19 @@ fn unknown<'m>(message: &'m str, start: &str) -> Option<(&'m str, Vec<String>)> 
 }
 
 /// The range of a key by its full name; of an entry of a list that of all of them.
-fn range_of(path: &str) -> Option<(f64, f64)> {
+fn range_of(path: &str, all: &KnownKeys) -> Option<(f64, f64)> {
     let number = |step: &str| step.parse::<usize>().is_ok();
     let plain: Vec<&str> = path.split('.').map(|step| if number(step) { "0" } else { step }).collect();
     let (table, name) = plain.split_last().map(|(name, table)| (table.join("."), *name))?;
-    let keys = TABLES.iter().filter(|(known, _)| *known == table).flat_map(|(_, keys)| keys.iter());
-    keys.into_iter().find(|key| key.name == name)?.range
+    all.key(&table, name)?.range
 }
 
 /// Rust's names of types in plain words.
-fn plain_type(expected: &str, path: &str) -> String {
+fn plain_type(expected: &str, path: &str, all: &KnownKeys) -> String {
     let words = match expected {
         "f32" | "f64" => "a number",
         "u16" | "u32" | "u64" | "usize" => {
-            return range_of(path).map_or_else(
+            return range_of(path, all).map_or_else(
                 || "a whole number, not negative".to_owned(),
                 |(low, high)| format!("a whole number, {low} to {high}"),
             );

@@ -3,6 +3,7 @@
 mod check;
 mod diagnose;
 mod document;
+mod heading;
 #[cfg(feature = "schema")]
 pub mod help;
 mod keys;
@@ -19,6 +20,8 @@ pub use diagnose::{Choices, ConfigError, Origin};
 pub(crate) use document::Document;
 #[cfg(feature = "sweep")]
 pub(crate) use document::plain_key;
+pub use heading::Heading;
+pub(crate) use keys::{Keys, KnownKeys};
 pub(crate) use load::explain as explain_error;
 pub use map::{CorridorConfig, MapConfig, MovingAiConfig, RosConfig, WallsConfig};
 pub use source::{PRESETS, Preset, Source, TEXT_MAX_BYTES, builtin, builtin_names, kind_of_map};

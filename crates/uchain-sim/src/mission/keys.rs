@@ -1,10 +1,7 @@
 //! What keys are, for programs that write many values under them: where they lead, and what they take.
 
-use super::{explore::ExploreScenario, registry::is_exploration};
-use crate::{
-    config::{ConfigError, Document, Source},
-    mission::chain::Scenario,
-};
+use super::registry::{document, read_values};
+use crate::config::{ConfigError, Source};
 
 /// What the values of a key are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,7 +24,7 @@ pub(crate) fn resolve<'k>(
     sets: &[String],
     keys: impl Iterator<Item = &'k str>,
 ) -> Result<Vec<Vec<String>>, ConfigError> {
-    let document = Document::parse(source, sets)?;
+    let document = document(source, sets)?;
     let written = document.paths().iter().cloned();
     Ok(written.chain(keys.map(|key| document.resolve(key))).collect())
 }
@@ -37,14 +34,7 @@ pub(crate) fn resolve<'k>(
 pub(crate) fn kind_of(source: &Source, sets: &[String], key: &str) -> ValueKind {
     let takes = |value: &str| {
         let sets: Vec<String> = sets.iter().cloned().chain([format!("{key}={value}")]).collect();
-        let read = |document: Document<'_>| {
-            if is_exploration(&document) {
-                ExploreScenario::unchecked(&document).map(drop)
-            } else {
-                Scenario::unchecked(&document).map(drop)
-            }
-        };
-        Document::parse(source, &sets).and_then(read).is_ok()
+        document(source, &sets).and_then(|document| read_values(&document)).is_ok()
     };
     if takes("0.5") {
         ValueKind::Number

@@ -2,12 +2,15 @@
 
 pub mod chain;
 pub mod explore;
+#[cfg(feature = "sweep")]
 mod keys;
 mod registry;
 
 #[cfg(feature = "sweep")]
 pub(crate) use keys::{ValueKind, kind_of, resolve};
-pub use registry::{About, Mission, describe};
+pub use registry::{About, Mission, course, describe};
+#[cfg(feature = "schema")]
+pub use registry::{explain, schema};
 
 /// What describes the messages of our missions.
 #[cfg(feature = "record")]

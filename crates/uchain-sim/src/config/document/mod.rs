@@ -14,7 +14,7 @@ use toml::{
 use super::{
     ConfigError, Preset, Source,
     diagnose::{Origin, not_an_entry, shorten},
-    keys::{TABLES, holds},
+    keys::KnownKeys,
     kind_of_map,
 };
 
@@ -29,6 +29,8 @@ pub(crate) use path::plain_key;
 pub(crate) struct Document<'i> {
     source: &'i Source,
     sets: &'i [String],
+    /// What may be written in it.
+    known: &'i KnownKeys,
     /// Where each of `sets` leads.
     paths: Vec<Vec<String>>,
     preset: Option<Preset>,
@@ -36,7 +38,13 @@ pub(crate) struct Document<'i> {
 }
 
 impl<'i> Document<'i> {
-    pub(crate) fn parse(source: &'i Source, sets: &'i [String]) -> Result<Self, ConfigError> {
+    /// Reads a text, writes `sets` over it and fills in its preset. `known` are the keys that short names and slips of
+    /// the finger are looked up in.
+    pub(crate) fn parse(
+        source: &'i Source,
+        sets: &'i [String],
+        known: &'i KnownKeys,
+    ) -> Result<Self, ConfigError> {
         let text = source.text.as_str();
         let parsed = DeTable::parse(text);
         let table = parsed.map_err(|error| ConfigError::Syntax {
@@ -45,7 +53,7 @@ impl<'i> Document<'i> {
         })?;
         let span = table.span();
         let root = Spanned::new(span, DeValue::Table(table.into_inner()));
-        let mut document = Self { source, sets, paths: Vec::new(), preset: None, root };
+        let mut document = Self { source, sets, known, paths: Vec::new(), preset: None, root };
         for (index, assignment) in sets.iter().enumerate() {
             document.set(index, assignment)?;
         }
@@ -149,7 +157,8 @@ impl<'i> Document<'i> {
             && map == "map"
         {
             // `map.cell_m` is that of whatever kind of map it is.
-            let kind = self.kind_of_map().filter(|kind| holds(&format!("map.{kind}"), key));
+            let kind =
+                self.kind_of_map().filter(|kind| self.known.key(&format!("map.{kind}"), key).is_some());
             steps.splice(1..1, kind.map(str::to_owned));
         }
         steps
@@ -166,8 +175,12 @@ impl<'i> Document<'i> {
         let (Some(map), true) = self.follow("map") else { return None };
         let DeValue::Table(map) = map.get_ref() else { return None };
         let [kind] = map.keys().collect::<Vec<_>>()[..] else { return None };
-        let kinds = TABLES.iter().filter_map(|(table, _)| table.strip_prefix("map."));
-        kinds.into_iter().find(|known| *known == &**kind.get_ref())
+        self.known.table_within("map", kind.get_ref())
+    }
+
+    /// What may be written in it.
+    pub(super) fn known(&self) -> &'i KnownKeys {
+        self.known
     }
 
     /// Where relative paths in it start.
@@ -178,6 +191,16 @@ impl<'i> Document<'i> {
     /// The value tree, for the deserializer.
     pub(crate) fn root(&self) -> Spanned<DeValue<'i>> {
         self.root.clone()
+    }
+
+    /// The value tree without one table at the top, and that table: as it is written, or empty if it is not. Every value
+    /// keeps its span.
+    pub(crate) fn without(&self, table: &str) -> [Spanned<DeValue<'i>>; 2] {
+        let mut rest = self.root();
+        let empty = Spanned::new(rest.span(), DeValue::Table(DeTable::new()));
+        let DeValue::Table(top) = rest.get_mut() else { return [rest, empty] };
+        let taken = top.remove(table).unwrap_or(empty);
+        [rest, taken]
     }
 
     /// Where a span stands.

@@ -1,5 +1,5 @@
-//! What every key of a scenario means. All of it is read off the declarations beside the laws: there is no second
-//! list.
+//! What every key of a scenario means. All of it is read off the declarations beside the laws, as the missions hand
+//! them in: there is no second list.
 
 mod schema;
 pub(crate) mod shape;
@@ -8,17 +8,13 @@ mod tests;
 mod units;
 mod values;
 
-pub use schema::schema;
+pub(crate) use schema::{schema, schema_of, schema_with_table};
 pub use units::Unit;
 pub use values::Written;
 
 use serde_json::{Map, Value};
 
-use super::{
-    ConfigError,
-    diagnose::Choices,
-    keys::{called, nearly_called, renamed},
-};
+use super::{ConfigError, diagnose::Choices, keys::KnownKeys};
 use schema::{Entry, entries};
 use values::{in_presets, in_scenarios, short};
 
@@ -58,20 +54,16 @@ pub struct Explanation {
 
 /// What is known of a key, given by its full name (`radio.alpha_wall`, `pilot.0.speed_mps`) or, if only one key is
 /// called so, by the last part of it. Of a table (`radio`), all its keys; of the empty name, all keys. A table comes
-/// before its keys.
-///
-/// ```
-/// use uchain_sim::config::help::explain;
-/// let alpha = &explain("alpha_wall").unwrap()[0];
-/// assert_eq!((alpha.key.as_str(), alpha.default.as_deref()), ("radio.alpha_wall", Some("6")));
-/// assert!(explain("law").unwrap_err().to_string().contains("equalize.law, center.law"));
-/// ```
+/// before its keys. `schema` is that of a scenario, `known` are its keys.
 ///
 /// # Errors
 /// [`ConfigError::NoSuchKey`] with the nearest name, or the keys whose names end so.
-pub fn explain(name: &str) -> Result<Vec<Explanation>, ConfigError> {
-    let schema = schema();
-    let entries = entries(&schema);
+pub(crate) fn explain(
+    name: &str,
+    schema: &Value,
+    known: &KnownKeys,
+) -> Result<Vec<Explanation>, ConfigError> {
+    let entries = entries(schema);
     let asked = plain(name);
     let within = format!("{asked}.");
     let chosen = |entry: &&Entry<'_>| {
@@ -81,17 +73,17 @@ pub fn explain(name: &str) -> Result<Vec<Explanation>, ConfigError> {
     if !found.is_empty() {
         return Ok(found);
     }
-    match called(name).as_slice() {
-        [only] => explain(only),
-        several => Err(no_such_key(name, several, &entries)),
+    match known.called(name).as_slice() {
+        [only] => explain(only, schema, known),
+        several => Err(no_such_key(name, several, &entries, known)),
     }
 }
 
-fn no_such_key(name: &str, called_so: &[String], entries: &[Entry<'_>]) -> ConfigError {
+fn no_such_key(name: &str, called_so: &[String], entries: &[Entry<'_>], all: &KnownKeys) -> ConfigError {
     let paths = || entries.iter().map(|entry| entry.path.clone());
     let choices = if called_so.is_empty() {
-        let near = || Choices::for_word(name, paths().collect()).nearest.or_else(|| nearly_called(name));
-        let nearest = renamed(name).map(str::to_owned).or_else(near);
+        let near = || Choices::for_word(name, paths().collect()).nearest.or_else(|| all.nearly_called(name));
+        let nearest = all.renamed(name).map(str::to_owned).or_else(near);
         let alike = |path: &String| name.len() > 2 && path.contains(name) && Some(path) != nearest.as_ref();
         let known = paths().filter(alike).collect();
         Choices { nearest, known }

@@ -3,49 +3,99 @@
 use schemars::{JsonSchema, generate::SchemaSettings};
 use serde_json::{Map, Number, Value, json};
 
-use uchain_core::explore::ExploreParams;
+use uchain_core::params::Key;
 
-use super::super::keys::EXPLORE;
-use crate::mission::{
-    chain::Scenario,
-    explore::{CHAIN_ONLY, TeamConfig},
-};
+use super::super::{Heading, Keys};
 
-/// JSON Schema (draft 7) of a scenario file. Names, types, ranges, defaults and descriptions are those of the laws'
-/// own declarations. What a schema cannot say is left to [`Course::read`](crate::mission::chain::Course::read): multiples of
-/// the tick, keys that must agree, whether the tunnel can be flown.
-///
-/// ```
-/// let schema = uchain_sim::config::help::schema();
-/// assert_eq!(schema["properties"]["equalize"]["properties"]["k_db_per_m"]["maximum"], 10000.0);
-/// ```
-pub fn schema() -> Value {
-    // Written out in full: editors show what stands at a key, not what it refers to.
-    let mut schema = of::<Scenario>();
-    let keys = [of::<TeamConfig>(), of::<ExploreParams>()].map(|mut table| table["properties"].take());
-    let keys: Map<String, Value> =
-        keys.into_iter().filter_map(|keys| keys.as_object().cloned()).flatten().collect();
-    schema["properties"][EXPLORE.name] = json!({
-        "description": EXPLORE.doc, "type": "object", "properties": keys, "additionalProperties": false,
-    });
-    // Which tables there have to be depends on what the scenario is about.
-    let chain_only: Map<String, Value> =
-        CHAIN_ONLY.iter().map(|key| ((*key).to_owned(), false.into())).collect();
-    schema["if"] = json!({ "required": [EXPLORE.name] });
-    schema["then"] = json!({ "properties": chain_only });
-    if let Some(required) = schema["required"].as_array_mut() {
-        let (chain, both) =
-            required.iter().cloned().partition::<Vec<_>, _>(|key| CHAIN_ONLY.iter().any(|c| key == c));
-        *required = both;
-        schema["else"] = json!({ "required": chain });
+/// JSON Schema (draft 7) of a scenario file, put together from those of the missions: a scenario is of the first mission
+/// whose marker it has, else of the one without a marker. Of a key that several have at the top, the first one's
+/// description counts, that of the mission without a marker before all others.
+pub(crate) fn schema(missions: impl IntoIterator<Item = (&'static Keys, Value)>) -> Value {
+    let (marked, unmarked): (Vec<_>, Vec<_>) =
+        missions.into_iter().map(|(keys, schema)| (keys.marker, schema)).partition(|(it, _)| it.is_some());
+    let mut schema =
+        unmarked.first().map_or_else(|| json!({ "type": "object" }), |(_, schema)| schema.clone());
+    let all = || unmarked.iter().chain(&marked).map(|(_, schema)| schema);
+
+    let mut properties = Map::new();
+    for (name, key) in all().filter_map(|schema| schema["properties"].as_object()).flatten() {
+        properties.entry(name).or_insert_with(|| key.clone());
+    }
+    let everywhere: Vec<&str> = all().next().map_or_else(Vec::new, required);
+    let everywhere: Vec<&str> =
+        everywhere.into_iter().filter(|name| all().all(|schema| required(schema).contains(name))).collect();
+
+    // What has to be there, and what must not, depends on whose scenario it is.
+    let markers: Vec<&str> = marked.iter().filter_map(|(marker, _)| *marker).collect();
+    let mut names: Vec<&String> = properties.keys().collect();
+    names.sort_by_key(|name| !all().any(|schema| required(schema).contains(&name.as_str())));
+    let rules = |schema: &Value, absent: &[&str]| {
+        let foreign = names.iter().filter(|name| schema["properties"].get(name).is_none());
+        let foreign = foreign.filter(|name| !absent.contains(&name.as_str()));
+        let foreign: Map<String, Value> = foreign.map(|name| ((*name).clone(), false.into())).collect();
+        let own: Vec<&str> = required(schema)
+            .into_iter()
+            .filter(|name| !everywhere.contains(name) && !markers.contains(name))
+            .collect();
+        let mut rules = Map::new();
+        if !own.is_empty() {
+            rules.insert("required".to_owned(), own.into());
+        }
+        if !foreign.is_empty() {
+            rules.insert("properties".to_owned(), foreign.into());
+        }
+        Value::Object(rules)
+    };
+    // One condition after another; none of the markers is there where only the last is left.
+    let mut rest = unmarked.first().map_or(json!(false), |(_, schema)| rules(schema, &markers));
+    for (place, (marker, own)) in marked.iter().enumerate().rev() {
+        let absent = markers.get(..place).unwrap_or_default();
+        rest = json!({ "if": { "required": [marker] }, "then": rules(own, absent), "else": rest });
+    }
+
+    let required = json!(everywhere);
+    schema["required"] = required;
+    schema["properties"] = properties.into();
+    if let (Some(schema), Value::Object(rest)) = (schema.as_object_mut(), rest) {
+        schema.extend(rest);
     }
     tidy(&mut schema);
     schema
 }
 
-fn of<T: JsonSchema>() -> Value {
+/// Names of the keys that have to be written.
+fn required(schema: &Value) -> Vec<&str> {
+    schema["required"]
+        .as_array()
+        .map(Vec::as_slice)
+        .unwrap_or_default()
+        .iter()
+        .filter_map(Value::as_str)
+        .collect()
+}
+
+/// JSON Schema of what is read into a type, written out in full: editors show what stands at a key, not what it refers
+/// to.
+pub(crate) fn schema_of<T: JsonSchema>() -> Value {
     let settings = SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true);
     settings.into_generator().into_root_schema_for::<T>().to_value()
+}
+
+/// JSON Schema of a scenario of which everything but the [`Heading`] stands in one table; `parts` are that table's keys.
+pub(crate) fn schema_with_table<const N: usize>(table: &Key, parts: [Value; N]) -> Value {
+    let mut schema = schema_of::<Heading>();
+    let needed: Vec<Value> = parts.iter().flat_map(required).map(Value::from).collect();
+    let keys =
+        parts.into_iter().filter_map(|mut part| part["properties"].as_object_mut().map(std::mem::take));
+    let keys: Map<String, Value> = keys.flatten().collect();
+    let mut written = json!({
+        "description": table.doc, "type": "object", "properties": keys, "additionalProperties": false,
+    });
+    if !needed.is_empty() {
+        written["required"] = needed.into();
+    }
+    schema["properties"][table.name] = written;
+    schema
 }
 
 /// Leaves what a TOML file and its editor can use: TOML has no null, a number no width, a table no default of its own;

@@ -1,7 +1,8 @@
 use super::{
-    super::keys::{TABLES, join},
+    super::{KnownKeys, keys::join},
     Course, PLAIN, source,
 };
+use crate::mission::{chain, explore};
 
 fn message(text: &str, sets: &[&str]) -> String {
     let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
@@ -267,8 +268,9 @@ fn no_message_shows_a_librarys_inside() {
         "f32",
         "inf m",
     ];
-    let keys = TABLES.iter().flat_map(|(table, keys)| keys.iter().map(move |key| join(table, key.name)));
-    for key in keys.chain(TABLES.iter().map(|(table, _)| (*table).to_owned())).filter(|key| !key.is_empty()) {
+    let known = KnownKeys::of(&[&chain::KEYS, &explore::KEYS]);
+    let keys = known.keys().map(|(table, key)| join(table, key.name));
+    for key in keys.chain(known.tables().map(str::to_owned)).filter(|key| !key.is_empty()) {
         for value in [
             "5",
             "-5",

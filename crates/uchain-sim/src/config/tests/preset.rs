@@ -1,7 +1,8 @@
 use super::{
-    super::{PRESETS, Preset, document::Document},
+    super::{KnownKeys, PRESETS, Preset, document::Document},
     Course, PLAIN, Scenario, source,
 };
+use crate::mission::chain;
 
 #[test]
 fn a_preset_fills_in_what_is_not_written_and_every_one_of_them_is_right() {
@@ -40,8 +41,9 @@ fn a_set_wins_over_a_preset_whichever_comes_first() {
 fn a_wrong_value_of_a_preset_is_named_with_the_presets_line() {
     const ODD: Preset = Preset { name: "odd", text: "# Odd\n[tof]\nperiod_s = 0.07\n[link]\nlost = 1\n" };
     let (source, sets) = (source(PLAIN), ["link.lost_s=2".to_owned()]);
+    let known = KnownKeys::of(&[&chain::KEYS]);
     let odd = |preset| {
-        let mut document = Document::parse(&source, &sets).unwrap();
+        let mut document = Document::parse(&source, &sets, &known).unwrap();
         document.fill_in(preset).unwrap();
         Scenario::from_document(&document).unwrap_err().to_string()
     };

@@ -24,8 +24,10 @@ use crate::{
 };
 
 pub use brains::ChainMission;
-pub(crate) use config::thresholds;
+#[cfg(feature = "schema")]
+pub(crate) use config::schema;
 pub use config::{ChainConfig, PilotStep, Scenario, UAVS_MAX};
+pub(crate) use config::{KEYS, thresholds};
 pub(crate) use frame::spread_db;
 pub use frame::{Frame, HeadFrame, History, LinkFrame, Moment, Silence, UavFrame};
 #[cfg(feature = "record")]

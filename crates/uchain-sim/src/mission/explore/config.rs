@@ -1,5 +1,7 @@
 //! The shape of a scenario of an exploration. Field names are the file's keys.
 
+use std::sync::LazyLock;
+
 use serde::{Deserialize, Serialize};
 use toml::{
     Spanned,
@@ -11,8 +13,8 @@ use uchain_core::{
 };
 
 use crate::config::{
-    Check, Choices, ConfigError, DURATION_MAX_S, Document, MapConfig, Source, TICK_S,
-    explain_error as explain,
+    Check, Choices, ConfigError, DURATION_MAX_S, Document, Heading, Keys, KnownKeys, MapConfig, Source,
+    TICK_S, explain_error as explain,
 };
 use crate::world::QuadrotorParams;
 
@@ -20,11 +22,42 @@ use crate::world::QuadrotorParams;
 const BELONGS_TO_A_CHAIN: &str =
     "belongs to a chain, and a scenario with [explore] is an exploration; expected one of the two";
 
-/// Keys of a scenario that only chains have.
-pub(crate) const CHAIN_ONLY: [&str; 14] = [
+/// Keys of a scenario that only chains have, in the order in which they are looked for.
+const CHAIN_ONLY: [&str; 14] = [
     "chain", "pilot", "preset", "kalman", "equalize", "center", "takeoff", "link", "radio", "packets",
     "faults", "tof", "flow", "motion",
 ];
+
+/// The table that makes a scenario an exploration.
+const EXPLORE: Key = Key {
+    name: "explore",
+    range: None,
+    doc: "Robots that explore together. A scenario with this table has neither `chain` nor `pilot`, nor any of the \
+          tables behind them.",
+};
+
+/// Keys of an exploration's scenario.
+pub(crate) const KEYS: Keys = Keys {
+    marker: Some(EXPLORE.name),
+    tables: &[
+        ("", &[EXPLORE]),
+        (EXPLORE.name, TeamConfig::KEYS),
+        (EXPLORE.name, ExploreParams::KEYS),
+        ("explore.quadrotor", QuadrotorParams::KEYS),
+    ],
+    renamed: &[],
+};
+
+/// What an exploration's scenario is read with where nobody asks which mission it is of.
+pub(crate) static KNOWN: LazyLock<KnownKeys> = LazyLock::new(|| KnownKeys::of(&[&KEYS]));
+
+/// An exploration's scenario as JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    use crate::config::help::{schema_of, schema_with_table};
+
+    schema_with_table(&EXPLORE, [schema_of::<TeamConfig>(), schema_of::<ExploreParams>()])
+}
 
 /// One exploration of one map. In the file, [`TeamConfig`] and [`ExploreParams`] are one table, `[explore]`.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,17 +74,6 @@ pub struct ExploreScenario {
     pub team: TeamConfig,
     /// How they do.
     pub params: ExploreParams,
-}
-
-/// All but the table `[explore]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Rest {
-    name: String,
-    #[serde(default)]
-    description: String,
-    duration_s: f64,
-    map: MapConfig,
 }
 
 /// What flies.
@@ -132,7 +154,7 @@ impl ExploreScenario {
     /// # Errors
     /// The first thing found wrong, with its place.
     pub fn parse(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
-        Self::from_document(&Document::parse(source, sets)?)
+        Self::from_document(&Document::parse(source, sets, &KNOWN)?)
     }
 
     /// The whole scenario in TOML: every value it has, whether written, set or by default. Read again it is the same
@@ -184,13 +206,15 @@ impl ExploreScenario {
         if let Some(key) = CHAIN_ONLY.iter().find(|key| document.has(key)) {
             return Err(document.invalid(key, "{ … }", BELONGS_TO_A_CHAIN));
         }
-        let [rest, team, params] = split(document.root());
-        let rest = Rest::deserialize(ValueDeserializer::from(rest)).map_err(|e| explain(&e, document))?;
+        let [heading, table] = document.without(EXPLORE.name);
+        let [team, params] = split(table);
+        let heading =
+            Heading::deserialize(ValueDeserializer::from(heading)).map_err(|e| explain(&e, document))?;
         let team =
             TeamConfig::deserialize(ValueDeserializer::from(team)).map_err(|e| explain(&e, document))?;
         let params = ExploreParams::deserialize(ValueDeserializer::from(params))
             .map_err(|error| with_team_keys(explain(&error, document)))?;
-        let Rest { name, description, duration_s, map } = rest;
+        let Heading { name, description, duration_s, map } = heading;
         Ok(Self { name, description, duration_s, map, team, params })
     }
 
@@ -230,12 +254,8 @@ impl ExploreScenario {
     }
 }
 
-/// The scenario without `[explore]`, and that table in two. Every value keeps its span.
-fn split(mut root: Spanned<DeValue<'_>>) -> [Spanned<DeValue<'_>>; 3] {
-    let span = root.span();
-    let empty = || Spanned::new(span.clone(), DeValue::Table(DeTable::new()));
-    let DeValue::Table(table) = root.get_mut() else { return [root, empty(), empty()] };
-    let Some(mut params) = table.remove("explore") else { return [root, empty(), empty()] };
+/// The table `[explore]` in two: what is said of the team, and all else. Every value keeps its span.
+fn split(mut params: Spanned<DeValue<'_>>) -> [Spanned<DeValue<'_>>; 2] {
     let mut team = Spanned::new(params.span(), DeValue::Table(DeTable::new()));
     if let (DeValue::Table(params), DeValue::Table(team)) = (params.get_mut(), team.get_mut()) {
         for (key, value) in std::mem::take(params) {
@@ -247,7 +267,7 @@ fn split(mut root: Spanned<DeValue<'_>>) -> [Spanned<DeValue<'_>>; 3] {
             };
         }
     }
-    [root, team, params]
+    [team, params]
 }
 
 /// A key of `[explore]` that neither knows could stand for one of either.

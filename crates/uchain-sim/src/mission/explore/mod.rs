@@ -25,7 +25,9 @@ use crate::{
     world::{MotionParams, PointMass, Quadrotor, Vehicle, Waypoint, World},
 };
 
-pub(crate) use config::CHAIN_ONLY;
+pub(crate) use config::KEYS;
+#[cfg(feature = "schema")]
+pub(crate) use config::schema;
 pub use config::{ExploreScenario, TeamConfig, VehicleKind};
 pub use frame::{ExploreFrame, LabelFrame, NodeFrame, Progress, RobotFrame, Stopped};
 pub(crate) use frame::{Odometer, Way};

@@ -2,13 +2,15 @@
 
 mod check;
 
+use std::sync::LazyLock;
+
 use serde::{Deserialize, Serialize};
 use toml::de::ValueDeserializer;
 use uchain_core::chain::{CenterParams, EqualizeParams, Follow, KalmanParams, LinkParams, TakeoffParams};
 
 use crate::{
-    config::{ConfigError, Document, MapConfig, Source, explain_error},
-    radio::{FaultConfig, PacketParams, PathLossParams},
+    config::{ConfigError, Document, Keys, KnownKeys, MapConfig, Source, explain_error},
+    radio::{Dead, Deaf, FaultConfig, PacketParams, PathLossParams},
     sense::{FlowParams, TofParams},
     world::MotionParams,
 };
@@ -16,6 +18,39 @@ use crate::{
 pub use check::UAVS_MAX;
 pub(crate) use check::thresholds;
 pub(crate) use check::values;
+
+/// Keys of a chain's scenario.
+pub(crate) const KEYS: Keys = Keys {
+    marker: None,
+    tables: &[
+        ("", Scenario::KEYS),
+        ("chain", ChainConfig::KEYS),
+        ("pilot.0", PilotStep::KEYS),
+        ("kalman", KalmanParams::KEYS),
+        ("equalize", EqualizeParams::KEYS),
+        ("center", CenterParams::KEYS),
+        ("takeoff", TakeoffParams::KEYS),
+        ("link", LinkParams::KEYS),
+        ("radio", PathLossParams::KEYS),
+        ("packets", PacketParams::KEYS),
+        ("faults", FaultConfig::KEYS),
+        ("faults.deaf.0", Deaf::KEYS),
+        ("faults.dead.0", Dead::KEYS),
+        ("tof", TofParams::KEYS),
+        ("flow", FlowParams::KEYS),
+        ("motion", MotionParams::KEYS),
+    ],
+    renamed: &[("center.tof_range_m", "tof.range_m")],
+};
+
+/// What a chain's scenario is read with where nobody asks which mission it is of.
+pub(crate) static KNOWN: LazyLock<KnownKeys> = LazyLock::new(|| KnownKeys::of(&[&KEYS]));
+
+/// A chain's scenario as JSON Schema.
+#[cfg(feature = "schema")]
+pub(crate) fn schema() -> serde_json::Value {
+    crate::config::help::schema_of::<Scenario>()
+}
 
 uchain_core::params! {
     /// One mission in one map. All tables but `map`, `chain` and `pilot` may be left out.
@@ -154,7 +189,7 @@ impl Scenario {
     /// # Errors
     /// The first thing found wrong, with its place.
     pub fn parse(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
-        let document = Document::parse(source, sets)?;
+        let document = Document::parse(source, sets, &KNOWN)?;
         Self::from_document(&document)
     }
 

@@ -7,7 +7,10 @@ use std::sync::{Arc, OnceLock};
 
 use glam::Vec2;
 
-use super::{Scenario, config::values};
+use super::{
+    Scenario,
+    config::{KNOWN, values},
+};
 use crate::{
     analyse::optimum::{Chart, Charts},
     config::{ConfigError, Document, MapConfig, Source},
@@ -66,9 +69,7 @@ impl Course {
     /// # Errors
     /// Those of [`Scenario::parse`] and [`Course::lay`]; each names its place, `--set` included.
     pub fn read(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
-        let document = Document::parse(source, sets)?;
-        let scenario = Scenario::from_document(&document)?;
-        Self::lay_in(scenario, &document, None)
+        Self::from_document(&Document::parse(source, sets, &KNOWN)?, None)
     }
 
     /// Like [`Course::read`], in a tunnel that was built before: `map` stands where the scenario names a map file,
@@ -77,9 +78,12 @@ impl Course {
     /// # Errors
     /// Those of [`Course::read`].
     pub fn read_in(source: &Source, map: Map) -> Result<Self, ConfigError> {
-        let document = Document::parse(source, &[])?;
-        let scenario = Scenario::from_document(&document)?;
-        Self::lay_in(scenario, &document, Some(map))
+        Self::from_document(&Document::parse(source, &[], &KNOWN)?, Some(map))
+    }
+
+    /// Lays out what a document says, in a tunnel that was built before if there is one: see [`Course::read_in`].
+    pub(crate) fn from_document(document: &Document<'_>, built: Option<Map>) -> Result<Self, ConfigError> {
+        Self::lay_in(Scenario::from_document(document)?, document, built)
     }
 
     /// Builds the tunnel and finds everyone's place in it. `source` gives the folder for the map's path
@@ -89,7 +93,7 @@ impl Course {
     /// A value out of range; a map that cannot be read or built; the base or a UAV in rock or nearer to a
     /// wall than its radius; UAVs that overlap; a UAV from which no way leads to the base.
     pub fn lay(scenario: Scenario, source: &Source) -> Result<Self, ConfigError> {
-        let document = Document::parse(source, &[])?;
+        let document = Document::parse(source, &[], &KNOWN)?;
         values(&scenario, &document)?;
         Self::lay_in(scenario, &document, None)
     }

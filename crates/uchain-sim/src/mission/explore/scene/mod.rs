@@ -8,7 +8,7 @@ use std::sync::{Arc, OnceLock};
 
 use glam::Vec2;
 
-use super::ExploreScenario;
+use super::{ExploreScenario, config::KNOWN};
 use crate::{
     config::{ConfigError, Document, Source},
     map::Map,
@@ -48,9 +48,7 @@ impl Site {
     /// Those of [`ExploreScenario::parse`]; a map that cannot be read or built; a robot in rock, nearer to a wall
     /// than it may come, or nearer to another one than they may come, wherever the seed puts them.
     pub fn read(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
-        let document = Document::parse(source, sets)?;
-        let scenario = ExploreScenario::from_document(&document)?;
-        Self::lay(scenario, &document, None)
+        Self::from_document(&Document::parse(source, sets, &KNOWN)?, None)
     }
 
     /// Like [`Site::read`], in a map that was built before; what the scenario says of its map is not read.
@@ -58,9 +56,12 @@ impl Site {
     /// # Errors
     /// Those of [`Site::read`].
     pub fn read_in(source: &Source, map: Map) -> Result<Self, ConfigError> {
-        let document = Document::parse(source, &[])?;
-        let scenario = ExploreScenario::from_document(&document)?;
-        Self::lay(scenario, &document, Some(map))
+        Self::from_document(&Document::parse(source, &[], &KNOWN)?, Some(map))
+    }
+
+    /// Lays out what a document says, in a map that was built before if there is one: see [`Site::read_in`].
+    pub(crate) fn from_document(document: &Document<'_>, built: Option<Map>) -> Result<Self, ConfigError> {
+        Self::lay(ExploreScenario::from_document(document)?, document, built)
     }
 
     fn lay(

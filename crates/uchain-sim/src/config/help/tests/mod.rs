@@ -1,14 +1,17 @@
+mod missions;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
-    super::{ConfigError, Source, builtin, keys::TABLES},
-    Explanation, explain, schema,
+    super::{ConfigError, KnownKeys, Source, builtin, keys::join},
+    Explanation,
     schema::entries,
 };
-use crate::mission::chain::ChainConfig;
 use crate::mission::{
-    chain::{Scenario, UAVS_MAX},
-    explore::ExploreScenario,
+    chain::{self, ChainConfig, Scenario, UAVS_MAX},
+    explain,
+    explore::{self, ExploreScenario},
+    schema,
 };
 
 /// Scenarios that have every table between them.
@@ -37,6 +40,11 @@ fn parse_for(key: &str, set: &str) -> Result<String, ConfigError> {
         () => STRAIGHT,
     };
     parse(name, set)
+}
+
+/// The keys that are looked up.
+fn known() -> KnownKeys {
+    KnownKeys::of(&[&chain::KEYS, &explore::KEYS])
 }
 
 fn all() -> Vec<Explanation> {
@@ -73,12 +81,12 @@ fn the_keys_that_are_explained_are_those_that_the_reader_takes() {
         assert_eq!(&known, names, "[{table}]");
     }
     // The list by which a misplaced key is found is complete as well.
-    let mut known: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-    for (table, keys) in TABLES {
-        known.entry(table.to_owned()).or_default().extend(keys.iter().map(|key| key.name.to_owned()));
+    let mut listed: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for (table, key) in known().keys() {
+        listed.entry(table.to_owned()).or_default().insert(key.name.to_owned());
     }
     explained.remove("map");
-    assert_eq!(known, explained);
+    assert_eq!(listed, explained);
 }
 
 #[test]
@@ -132,16 +140,14 @@ fn every_key_is_explained_in_full() {
 fn ranges_and_words_are_those_beside_the_laws() {
     let schema = schema();
     let entries = entries(&schema);
-    for (table, keys) in TABLES {
-        for key in keys {
-            let path = if table.is_empty() { key.name.to_owned() } else { format!("{table}.{}", key.name) };
-            let entry = entries.iter().find(|entry| entry.path == path).unwrap();
-            let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-            assert_eq!(words(entry.schema["description"].as_str().unwrap()), words(key.doc), "{path}");
-            if let Some((low, high)) = key.range {
-                let bound = |name: &str| entry.schema[name].as_f64().unwrap();
-                assert_eq!((bound("minimum"), bound("maximum")), (low, high), "{path}");
-            }
+    for (table, key) in known().keys() {
+        let path = join(table, key.name);
+        let entry = entries.iter().find(|entry| entry.path == path).unwrap();
+        let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(words(entry.schema["description"].as_str().unwrap()), words(key.doc), "{path}");
+        if let Some((low, high)) = key.range {
+            let bound = |name: &str| entry.schema[name].as_f64().unwrap();
+            assert_eq!((bound("minimum"), bound("maximum")), (low, high), "{path}");
         }
     }
 }
