@@ -6,6 +6,8 @@ mod scan;
 mod tof;
 
 pub use flow::{FlowNoise, FlowParams};
-pub use rays::{GridRays, ParryRays, Rays};
+#[cfg(any(test, feature = "oracles"))]
+pub use rays::ParryRays;
+pub use rays::{GridRays, Rays};
 pub use scan::Scanner;
 pub use tof::{TofBeams, TofNoise, TofParams, read_tof};

@@ -78,6 +78,7 @@ impl World {
 
     /// The same world with every body that takes velocities and is in the air going through rapier at every tick, near
     /// something or not: slow, and the measure of the other.
+    #[cfg(any(test, feature = "oracles"))]
     pub fn ungated(
         map: Arc<Map>,
         params: MotionParams,

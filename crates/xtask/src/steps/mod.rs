@@ -2,6 +2,7 @@
 
 mod cargo;
 mod digest;
+mod features;
 mod libm;
 mod locks;
 mod no_std;
@@ -46,6 +47,11 @@ pub(crate) const STEPS: &[Step] = &[
     Step { name: "fmt", about: "rustfmt changes nothing", run: cargo::fmt },
     Step { name: "locks", about: "the proofs link what the project links", run: locks::agree },
     Step { name: "rooms", about: "no room imports one that imports it", run: rooms::have_no_circle },
+    Step {
+        name: "features",
+        about: "no released program holds the slow ways that tests compare with",
+        run: features::leave_oracles_out,
+    },
     Step { name: "clippy", about: "no warning anywhere", run: cargo::clippy },
     Step {
         name: "lean",

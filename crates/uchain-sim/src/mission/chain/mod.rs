@@ -76,6 +76,7 @@ impl<'a> Sim<'a> {
     }
 }
 
+#[cfg(feature = "oracles")]
 impl<'a, R: Rays> Sim<'a, R> {
     /// The same mission with these rays and every UAV in rapier at every tick: the slow way, and the measure of
     /// [`Sim::new`] in tests and benchmarks. With [`Course::rays`] it has the same bits until something touches; with
@@ -84,7 +85,9 @@ impl<'a, R: Rays> Sim<'a, R> {
         let world = World::ungated(course.map.clone(), course.scenario.motion.clone(), spawns(course));
         Self::start(course, seed, rays, world)
     }
+}
 
+impl<'a, R: Rays> Sim<'a, R> {
     fn start(course: &'a Course, seed: u64, rays: &'a R, world: World) -> Self {
         let (scenario, seed) = (&course.scenario, Seed(seed));
         let robots = 0..course.spawns.len() as u32;

@@ -1,12 +1,13 @@
 //! Distances along rays to walls.
 //!
-//! [`GridRays`] is what a mission flies with; [`ParryRays`], by parry's bounding-volume tree, shares no code with it:
-//! its oracle in tests and its baseline in benchmarks.
+//! [`GridRays`] is what a mission flies with. `ParryRays`, by parry's bounding-volume tree, shares no code with it: its
+//! oracle in tests and its baseline in benchmarks, behind the feature `oracles`.
 
 mod batch;
 mod grid;
 mod lattice;
 mod lists;
+#[cfg(any(test, feature = "oracles"))]
 mod parry;
 #[cfg(test)]
 mod tests;
@@ -14,6 +15,7 @@ mod tests;
 use glam::Vec2;
 
 pub use grid::GridRays;
+#[cfg(any(test, feature = "oracles"))]
 pub use parry::ParryRays;
 
 /// Distances along rays to walls.
