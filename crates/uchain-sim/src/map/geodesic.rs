@@ -3,6 +3,9 @@
 //! A shortest way is straight but for corners of rock that stick into free space, where it bends round them. So the
 //! corners, each with its distance from the source (Dijkstra over taut edges, found as they are needed), answer
 //! every query: the last corner before a point is the one with the least total that sees it.
+//!
+//! The search is not that of the roadmap (`uchain_core::explore::Dijkstra`), which wants all edges beforehand: whether
+//! two corners see each other costs more than all the rest, and is only asked where it would shorten a way.
 
 use glam::{DVec2, Vec2};
 

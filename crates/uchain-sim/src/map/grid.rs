@@ -13,6 +13,9 @@ const MARGIN_CELLS: f64 = 1e-3;
 
 /// Cells of one size over the bounds of the walls; each lists the walls that touch it, and perhaps a few more.
 ///
+/// A grid of its own beside that of [`GridRays`](crate::sense::GridRays): this one answers exactly, in f64, for lines,
+/// boxes and the nearest wall; that one lists for each cell all walls that a beam from there can meet.
+///
 /// Its memory is bounded by the number of walls: cells are no smaller than a quarter of the mean wall length.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Grid {

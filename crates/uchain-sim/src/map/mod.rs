@@ -8,6 +8,7 @@
 //! [`Map::centre_path`] finds the middle of a tunnel nobody drew;
 //! [`Geodesic`] measures the way through free space, [`Tunnel`] the depth along the middle.
 
+mod cells;
 mod corridor;
 mod drawn;
 mod error;
@@ -28,6 +29,7 @@ use glam::{DVec2, Vec2};
 use rapier2d::prelude::SharedShape;
 use serde::{Deserialize, Serialize};
 
+pub use cells::CellGrid;
 pub use corridor::{Vertex, corridor};
 pub use drawn::drawn;
 pub use error::MapError;

@@ -8,6 +8,9 @@ use super::super::Point;
 const NONE: u32 = u32::MAX;
 
 /// Nodes by cell.
+///
+/// A grid of its own: nodes come one by one and nobody knows how far they will reach, so that cells are kept in an
+/// ordered map; the simulator's grids lie flat over bounds that are known.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Grid {
     cell_m: f32,

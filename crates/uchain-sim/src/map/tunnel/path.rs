@@ -53,6 +53,8 @@ impl Map {
     }
 }
 
+/// Dijkstra's algorithm over the cells themselves, in f64: as a graph they would be up to 32 million arcs, of which most
+/// are never looked at, and what one costs is known only once its ends' clearances are.
 struct Search<'m> {
     map: &'m Map,
     low: DVec2,

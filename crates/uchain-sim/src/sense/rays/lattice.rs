@@ -13,6 +13,9 @@ const SIDE: usize = 8;
 pub(super) const BLOCK_CELLS: usize = SIDE * SIDE;
 
 /// Square cells over a rectangle.
+///
+/// A grid of its own beside that of [`Map`](crate::map::Map): in f32, for a million looks a second, and in blocks, so
+/// that ground without walls takes no memory.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lattice {
     low: Vec2,

@@ -2,7 +2,7 @@
 
 use std::f32::consts::TAU;
 
-use glam::{IVec2, Vec2};
+use glam::Vec2;
 use serde::Serialize;
 
 use crate::mission::explore::Ground;
@@ -39,19 +39,18 @@ pub struct Unseen {
 impl Coverage {
     /// Nothing is seen yet.
     pub fn new(ground: &Ground, r_s_m: f32) -> Self {
-        let [cols, rows] = ground.size();
-        Self { r_s_m, seen_by: vec![0; cols * rows], seen: 0, shared: 0 }
+        Self { r_s_m, seen_by: vec![0; ground.cells().count()], seen: 0, shared: 0 }
     }
 
     /// A node looks around, from where its robot truly was.
     pub fn look(&mut self, map: &Map, ground: &Ground, node: &NodeFrame) {
         let (from, own) = (Vec2::from(node.at_m), node.id.robot.saturating_add(1).min(SEVERAL - 1));
-        for index in ground.cells_near(from, self.r_s_m) {
+        for index in ground.cells().near(from, self.r_s_m) {
             let before = self.seen_by[index];
             if before == own || before == SEVERAL || !ground.is_reachable(index) {
                 continue;
             }
-            let to = ground.middle_of(index);
+            let to = ground.cells().middle_of(index);
             let far_m = from.distance(to);
             if far_m > self.r_s_m || !(in_star(node, to - from, far_m) || map.sees(from, to)) {
                 continue;
@@ -82,23 +81,18 @@ impl Coverage {
         let mut left: Vec<bool> = (0..self.seen_by.len())
             .map(|index| ground.is_reachable(index) && !self.has_seen(index))
             .collect();
-        let cell_m2 = f64::from(ground.cell_m()) * f64::from(ground.cell_m());
+        let cell_m2 = ground.cells().cell_m2();
         let mut pieces = Vec::new();
         for first in 0..left.len() {
-            let (mut open, mut sum, mut count) = (vec![first], glam::DVec2::ZERO, 0_u32);
+            let piece = ground.cells().take_connected(first, &mut left);
+            let (mut sum, count) = (glam::DVec2::ZERO, piece.len() as u32);
             let (mut behind, mut passage_m) = (0_u32, None::<f32>);
-            while let Some(index) = open.pop() {
-                if !std::mem::take(&mut left[index]) {
-                    continue;
-                }
-                sum += ground.middle_of(index).as_dvec2();
-                count += 1;
+            for index in piece {
+                sum += ground.cells().middle_of(index).as_dvec2();
                 if let Some(width_m) = ground.passages().width_m(index) {
                     behind += 1;
                     passage_m = Some(passage_m.map_or(width_m, |widest_m| widest_m.max(width_m)));
                 }
-                let steps = (-1..=1).flat_map(|x| (-1..=1).map(move |y| IVec2::new(x, y)));
-                open.extend(steps.filter_map(|step| ground.beside(index, step)));
             }
             if count > 0 {
                 let middle = sum / f64::from(count);

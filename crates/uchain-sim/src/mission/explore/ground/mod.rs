@@ -7,7 +7,7 @@ mod ros_map;
 use glam::{IVec2, Vec2};
 use uchain_core::explore::ExploreParams;
 
-use crate::map::Map;
+use crate::map::{CellGrid, Map};
 
 pub use coverage::{Coverage, Unseen};
 pub(crate) use passages::width_but_for_m;
@@ -21,8 +21,6 @@ const CELLS_MAX: f32 = 4.0e6;
 /// A robot fits where its radius does, but for this (m).
 const TOUCH_M: f32 = 1e-4;
 
-/// To the four cells beside a cell.
-const STEPS: [IVec2; 4] = [IVec2::X, IVec2::NEG_X, IVec2::Y, IVec2::NEG_Y];
 /// The four lines through a cell and two of its neighbours.
 const LINES: [IVec2; 4] = [IVec2::X, IVec2::Y, IVec2::ONE, IVec2::new(1, -1)];
 /// Places along a side of a cell where its greatest clearance is looked for.
@@ -32,11 +30,7 @@ const SAMPLES: u8 = 5;
 /// start, side by side, through such cells. Cells are 0.05 m wide, wider on maps of more than 10,000 m².
 #[derive(Debug, Clone)]
 pub struct Ground {
-    low: Vec2,
-    cell_m: f32,
-    cols: i32,
-    rows: i32,
-    /// Row by row.
+    cells: CellGrid,
     reachable: Vec<bool>,
     count: usize,
     /// Cells that a robot fits in and a thinner one could reach.
@@ -52,19 +46,16 @@ impl Ground {
         let (low, high) = map.bounds();
         let size = high - low;
         let cell_m = CELL_M.max((size.x * size.y / CELLS_MAX).sqrt());
-        let cells = (size / cell_m).ceil().as_ivec2().max(IVec2::ONE);
+        let cells = CellGrid::new(low, cell_m, (size / cell_m).ceil().as_ivec2());
         let mut ground = Self {
-            low,
-            cell_m,
-            cols: cells.x,
-            rows: cells.y,
-            reachable: vec![false; cells.x as usize * cells.y as usize],
+            reachable: vec![false; cells.count()],
+            cells,
             count: 0,
             shut_off: 0,
             passages: Passages::default(),
         };
         let around = |&at: &Vec2| {
-            let middle = ground.cell_of(at);
+            let middle = ground.cells.cell_of(at);
             (-1..=1).flat_map(move |x| (-1..=1).map(move |y| middle + IVec2::new(x, y)))
         };
         let starts: Vec<IVec2> = starts.iter().flat_map(around).collect();
@@ -73,7 +64,7 @@ impl Ground {
         let mut clearances_m = vec![0.0; fits.len()];
         let mut fitting = 0;
         ground.flood(starts.clone(), |ground, index| {
-            let at = ground.middle_of(index);
+            let at = ground.cells.middle_of(index);
             let free = !map.in_rock(at);
             let clearance_m = if free { map.clearance_m(at) } else { -1.0 };
             fits[index] = clearance_m >= r_body_m - TOUCH_M;
@@ -85,7 +76,7 @@ impl Ground {
         ground.count = reached.iter().filter(|&&reached| reached).count();
         ground.shut_off = fitting - ground.count;
         ground.reachable = reached;
-        let starts = starts.into_iter().filter_map(|cell| ground.index_of(cell));
+        let starts = starts.into_iter().filter_map(|cell| ground.cells.index_of(cell));
         let starts: Vec<usize> = starts.filter(|&index| ground.reachable[index]).collect();
         ground.sharpen(map, &mut clearances_m);
         ground.passages = Passages::survey(&ground, &clearances_m, &starts, &Width::seen(params));
@@ -97,18 +88,18 @@ impl Ground {
     fn sharpen(&self, map: &Map, clearances_m: &mut [f32]) {
         let crest = |index: usize| {
             let below_m =
-                |step| clearances_m[index] - self.beside(index, step).map_or(0.0, |i| clearances_m[i]);
+                |step| clearances_m[index] - self.cells.beside(index, step).map_or(0.0, |i| clearances_m[i]);
             // Along a wall clearance neither rises nor falls.
             let is_top = |step: IVec2| {
                 let [a_m, b_m] = [below_m(step), below_m(-step)];
-                a_m.min(b_m) >= 0.0 && a_m.max(b_m) > 0.01 * self.cell_m
+                a_m.min(b_m) >= 0.0 && a_m.max(b_m) > 0.01 * self.cells.cell_m()
             };
             self.reachable[index] && LINES.into_iter().any(is_top)
         };
         let crests: Vec<usize> = (0..clearances_m.len()).filter(|&index| crest(index)).collect();
-        let aside = |k: u8| (f32::from(k) / f32::from(SAMPLES - 1) - 0.5) * self.cell_m;
+        let aside = |k: u8| (f32::from(k) / f32::from(SAMPLES - 1) - 0.5) * self.cells.cell_m();
         for index in crests {
-            let middle = self.middle_of(index);
+            let middle = self.cells.middle_of(index);
             for offset in (0..SAMPLES).flat_map(|i| (0..SAMPLES).map(move |j| Vec2::new(aside(i), aside(j))))
             {
                 let at = middle + offset;
@@ -125,11 +116,11 @@ impl Ground {
         let mut asked = vec![false; self.reachable.len()];
         let mut open = from;
         while let Some(cell) = open.pop() {
-            let Some(index) = self.index_of(cell).filter(|&index| !asked[index]) else { continue };
+            let Some(index) = self.cells.index_of(cell).filter(|&index| !asked[index]) else { continue };
             asked[index] = true;
             if is_open(self, index) {
                 reached[index] = true;
-                open.extend(STEPS.map(|step| cell + step));
+                open.extend(CellGrid::STEPS.map(|step| cell + step));
             }
         }
         reached
@@ -137,7 +128,7 @@ impl Ground {
 
     /// Ground that the robots can reach (m²).
     pub fn area_m2(&self) -> f64 {
-        self.count as f64 * f64::from(self.cell_m) * f64::from(self.cell_m)
+        self.count as f64 * f64::from(self.cells.cell_m()) * f64::from(self.cells.cell_m())
     }
 
     /// Passages that stars may not look through, and what lies in and behind them.
@@ -148,22 +139,12 @@ impl Ground {
     /// Ground that a robot would fit in but cannot reach: the ways there are narrower than it is, and a thinner one
     /// could pass (m²).
     pub fn shut_off_m2(&self) -> f64 {
-        self.shut_off as f64 * f64::from(self.cell_m) * f64::from(self.cell_m)
+        self.shut_off as f64 * f64::from(self.cells.cell_m()) * f64::from(self.cells.cell_m())
     }
 
-    /// Side of a cell (m).
-    pub fn cell_m(&self) -> f32 {
-        self.cell_m
-    }
-
-    /// Columns and rows of the box around the map.
-    pub fn size(&self) -> [usize; 2] {
-        [self.cols as usize, self.rows as usize]
-    }
-
-    /// The lower left corner of the first cell (m).
-    pub fn low(&self) -> Vec2 {
-        self.low
+    /// All cells of the box around the map.
+    pub fn cells(&self) -> &CellGrid {
+        &self.cells
     }
 
     /// How many cells are reachable.
@@ -171,41 +152,8 @@ impl Ground {
         self.count
     }
 
-    /// Whether a cell is reachable; cells are counted row by row from the lower left.
+    /// Whether a cell is reachable.
     pub fn is_reachable(&self, index: usize) -> bool {
         self.reachable.get(index).copied().unwrap_or(false)
-    }
-
-    /// The middle of a cell (m).
-    pub fn middle_of(&self, index: usize) -> Vec2 {
-        let cols = self.cols as usize;
-        let cell = Vec2::new((index % cols) as f32, (index / cols) as f32);
-        self.low + (cell + 0.5) * self.cell_m
-    }
-
-    /// The cells around a place, as far as a distance reaches (m).
-    pub fn cells_near(&self, at: Vec2, reach_m: f32) -> impl Iterator<Item = usize> + use<> {
-        let (low, high) = (self.cell_of(at - reach_m), self.cell_of(at + reach_m));
-        let (cols, rows) = (self.cols, self.rows);
-        let across = low.x.max(0)..=high.x.min(cols - 1);
-        (low.y.max(0)..=high.y.min(rows - 1))
-            .flat_map(move |row| across.clone().map(move |col| (row * cols + col) as usize))
-    }
-
-    /// The cell next to a cell in a direction, within the box.
-    pub(crate) fn beside(&self, index: usize, step: IVec2) -> Option<usize> {
-        // Cells are counted in i32: there are at most a few million.
-        let (cols, index) = (self.cols, i32::try_from(index).ok()?);
-        let cell = IVec2::new(index % cols, index / cols);
-        self.index_of(cell + step)
-    }
-
-    fn cell_of(&self, at: Vec2) -> IVec2 {
-        ((at - self.low) / self.cell_m).floor().as_ivec2()
-    }
-
-    fn index_of(&self, cell: IVec2) -> Option<usize> {
-        let inside = cell.x >= 0 && cell.y >= 0 && cell.x < self.cols && cell.y < self.rows;
-        inside.then(|| (cell.y * self.cols + cell.x) as usize)
     }
 }

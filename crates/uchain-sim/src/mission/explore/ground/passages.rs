@@ -2,7 +2,7 @@
 
 use std::{cmp::Reverse, collections::BinaryHeap, f32::consts::TAU};
 
-use glam::{IVec2, Vec2};
+use glam::Vec2;
 use uchain_core::explore::ExploreParams;
 
 use crate::analyse::Remedy;
@@ -12,11 +12,6 @@ use crate::mission::explore::Ground;
 const MEASURED_M: f32 = 0.005;
 /// Pieces of less than this share of the ground are corners, not rooms or halls (1).
 const LEAST_SHARE: f64 = 0.001;
-
-/// To the eight cells around a cell.
-fn around() -> impl Iterator<Item = IVec2> {
-    (-1..=1).flat_map(|x| (-1..=1).map(move |y| IVec2::new(x, y)))
-}
 
 /// How wide a passage has to be for its far side to be found.
 ///
@@ -134,14 +129,14 @@ impl Passages {
             |index: usize| ground.is_reachable(index) && clearances_m[index] >= least_m / 2.0 - MEASURED_M;
         // From a wide part out to the walls again, into its corners.
         let r_wall_m = (least_m / 2.0 - width.r_body_m).max(0.0);
-        let rings = (r_wall_m / ground.cell_m()).ceil() as usize + 1;
+        let rings = (r_wall_m / ground.cells().cell_m()).ceil() as usize + 1;
         let mut wide = vec![false; clearances_m.len()];
         let mut open: Vec<usize> = widen(ground, starts, rings).into_iter().filter(|&i| is_wide(i)).collect();
         let mut parts = Vec::new();
         while let Some(index) = open.pop() {
             if !std::mem::replace(&mut wide[index], true) {
                 parts.push(index);
-                open.extend(around().filter_map(|step| ground.beside(index, step)).filter(|&i| is_wide(i)));
+                open.extend(ground.cells().around(index).filter(|&i| is_wide(i)));
             }
         }
         let seeds = if parts.is_empty() { starts } else { &parts };
@@ -151,23 +146,17 @@ impl Passages {
             is_behind[index] = false;
         }
         let mut found = Self { least_m, widths_m: vec![f32::INFINITY; is_behind.len()], pieces: Vec::new() };
-        let cell_m2 = f64::from(ground.cell_m()) * f64::from(ground.cell_m());
+        let cell_m2 = ground.cells().cell_m2();
         let least = LEAST_SHARE * ground.count() as f64;
         for first in 0..is_behind.len() {
-            let (mut piece, mut open) = (Vec::new(), vec![first]);
-            while let Some(index) = open.pop() {
-                if std::mem::take(&mut is_behind[index]) {
-                    piece.push(index);
-                    open.extend(around().filter_map(|step| ground.beside(index, step)));
-                }
-            }
+            let piece = ground.cells().take_connected(first, &mut is_behind);
             let roomiest = piece.iter().copied().max_by(|&a, &b| clearances_m[a].total_cmp(&clearances_m[b]));
             let Some(roomiest) = roomiest.filter(|_| piece.len() as f64 >= least) else { continue };
             for &index in &piece {
                 found.widths_m[index] = 2.0 * ways_m[index];
             }
             found.pieces.push(Passage {
-                at: ground.middle_of(pinches[roomiest]),
+                at: ground.cells().middle_of(pinches[roomiest]),
                 width_m: 2.0 * ways_m[roomiest],
                 area_m2: piece.len() as f64 * cell_m2,
             });
@@ -212,7 +201,7 @@ pub(crate) fn width_but_for_m(mut parts: Vec<(f32, f64)>, left_m2: f64) -> Optio
 
 /// These cells and the reachable ones so many rings of cells around them.
 fn widen(ground: &Ground, from: &[usize], rings: usize) -> Vec<usize> {
-    let mut found = vec![false; ground.size().iter().product()];
+    let mut found = vec![false; ground.cells().count()];
     for &index in from {
         found[index] = true;
     }
@@ -221,7 +210,7 @@ fn widen(ground: &Ground, from: &[usize], rings: usize) -> Vec<usize> {
         let end = all.len();
         for k in first..end {
             let middle = all[k];
-            for beside in around().filter_map(|step| ground.beside(middle, step)) {
+            for beside in ground.cells().around(middle) {
                 if ground.is_reachable(beside) && !std::mem::replace(&mut found[beside], true) {
                     all.push(beside);
                 }
@@ -233,6 +222,9 @@ fn widen(ground: &Ground, from: &[usize], rings: usize) -> Vec<usize> {
 }
 
 /// Per cell, the least clearance on the way there whose least clearance is greatest (m), and the cell where it is that.
+///
+/// Dijkstra's algorithm with the least clearance in place of the sum of lengths (widest path, maximin): no shortest way
+/// is asked for.
 fn widest_ways(ground: &Ground, clearances_m: &[f32], seeds: &[usize]) -> (Vec<f32>, Vec<usize>) {
     let mut ways_m = vec![0.0; clearances_m.len()];
     let mut pinches = vec![0; clearances_m.len()];
@@ -247,7 +239,7 @@ fn widest_ways(ground: &Ground, clearances_m: &[f32], seeds: &[usize]) -> (Vec<f
         if bits < key(ways_m[index]) {
             continue;
         }
-        for beside in around().filter_map(|step| ground.beside(index, step)) {
+        for beside in ground.cells().around(index) {
             let way_m = ways_m[index].min(clearances_m[beside]);
             if ground.is_reachable(beside) && way_m > ways_m[beside] {
                 let is_pinch = clearances_m[beside] <= ways_m[index];

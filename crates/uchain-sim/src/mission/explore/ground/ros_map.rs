@@ -22,15 +22,15 @@ impl RosMap {
     /// What a team has explored, in the cells of the ground, in the frame of the map's file or scenario. Free is what
     /// lies within `r_s_m` and in line of sight of a node, occupied is rock next to it, all else is unknown.
     pub fn explored(map: &Map, ground: &Ground, nodes: &[NodeFrame], r_s_m: f32) -> Self {
-        let [cols, rows] = ground.size();
+        let [cols, rows] = ground.cells().size();
         // A ring of unknown cells closes what reaches to the edge.
         let (width, height) = (cols + 2, rows + 2);
         let mut cells = vec![UNKNOWN; width * height];
         let at = |index: usize| (index / cols + 1) * width + index % cols + 1;
         for node in nodes {
             let from = Vec2::from(node.at_m);
-            for index in ground.cells_near(from, r_s_m) {
-                let to = ground.middle_of(index);
+            for index in ground.cells().near(from, r_s_m) {
+                let to = ground.cells().middle_of(index);
                 let cell = &mut cells[at(index)];
                 if *cell != FREE && from.distance(to) <= r_s_m && !map.in_rock(to) && map.sees(from, to) {
                     *cell = FREE;
@@ -54,11 +54,11 @@ impl RosMap {
         for row in cells.chunks(width).rev() {
             pgm.extend_from_slice(row);
         }
-        let low = ground.low().as_dvec2() - f64::from(ground.cell_m());
+        let low = ground.cells().low().as_dvec2() - f64::from(ground.cells().cell_m());
         let [east_m, north_m] = map.offset_m();
         let yaml = format!(
             "image: map.pgm\nmode: trinary\nresolution: {}\norigin: [{}, {}, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n",
-            ground.cell_m(),
+            ground.cells().cell_m(),
             low.x + east_m,
             low.y + north_m,
         );
@@ -69,5 +69,5 @@ impl RosMap {
 /// The middle of a cell of the picture (m).
 fn middle_of(ground: &Ground, cell: usize, width: usize) -> Vec2 {
     let at = Vec2::new((cell % width) as f32, (cell / width) as f32);
-    ground.low() + (at - 0.5) * ground.cell_m()
+    ground.cells().low() + (at - 0.5) * ground.cells().cell_m()
 }

@@ -100,9 +100,9 @@ impl Sheet<'_> {
         /// Onto the next row, or a line of light is left between them.
         const OVERLAP: f64 = 0.4;
         let (ground, coverage) = (self.site.ground(), &self.survey.coverage);
-        let [cols, rows] = ground.size();
+        let [cols, rows] = ground.cells().size();
         let left = |index: usize| ground.is_reachable(index) && !coverage.has_seen(index);
-        let half = DVec2::splat(f64::from(ground.cell_m()) / 2.0);
+        let half = DVec2::splat(f64::from(ground.cells().cell_m()) / 2.0);
         for row in 0..rows {
             let mut col = 0;
             while col < cols {
@@ -112,8 +112,8 @@ impl Sheet<'_> {
                 if run == 0 {
                     continue;
                 }
-                let low = ground.middle_of(from).as_dvec2() - half;
-                let high = ground.middle_of(from + run - 1).as_dvec2() + half;
+                let low = ground.cells().middle_of(from).as_dvec2() - half;
+                let high = ground.cells().middle_of(from + run - 1).as_dvec2() + half;
                 let ((x, bottom), (right, y)) =
                     (on_page(panel, &self.site.map, low), on_page(panel, &self.site.map, high));
                 scene.add(square((x, y), right - x, bottom - y + OVERLAP));

@@ -2,9 +2,9 @@
 
 use std::collections::VecDeque;
 
-use glam::Vec2;
+use glam::{IVec2, Vec2};
 
-use crate::map::Map;
+use crate::map::{CellGrid, Map};
 
 /// Most places that are looked at.
 const PLACES_MAX: f32 = 1.0e6;
@@ -12,10 +12,8 @@ const PLACES_MAX: f32 = 1.0e6;
 /// A lattice of places at which a robot has room, so far apart that two of them have room beside each other.
 pub(super) struct Lattice<'m> {
     map: &'m Map,
-    low: Vec2,
-    step_m: f32,
-    cols: usize,
-    rows: usize,
+    /// Places are the middles of cells: off the bounds, where walls are.
+    cells: CellGrid,
     /// Room up to the nearest wall (m); none where a robot has not enough.
     room_m: Vec<Option<f32>>,
 }
@@ -26,21 +24,14 @@ impl<'m> Lattice<'m> {
         let (low, high) = map.bounds();
         let size = high - low;
         let step_m = (1.001 * apart_m).max((size.x * size.y / PLACES_MAX).sqrt()).max(0.01);
-        let (cols, rows) = ((size.x / step_m) as usize + 1, (size.y / step_m) as usize + 1);
-        let mut lattice = Self { map, low, step_m, cols, rows, room_m: Vec::new() };
+        let cells = CellGrid::new(low, step_m, (size / step_m).as_ivec2() + IVec2::ONE);
         let room = |index| {
-            let at = lattice.at(index);
+            let at = cells.middle_of(index);
             let room_m = if map.in_rock(at) { -1.0 } else { map.clearance_m(at) };
             (room_m >= wall_m).then_some(room_m)
         };
-        lattice.room_m = (0..cols * rows).map(room).collect();
-        lattice
-    }
-
-    fn at(&self, index: usize) -> Vec2 {
-        // Off the bounds, where walls are.
-        let cell = Vec2::new((index % self.cols) as f32, (index / self.cols) as f32);
-        self.low + (cell + 0.5) * self.step_m
+        let room_m = (0..cells.count()).map(room).collect();
+        Self { map, cells, room_m }
     }
 
     /// The place with the most room in the largest connected part; of equal ones the lowest, then the leftmost.
@@ -63,13 +54,18 @@ impl<'m> Lattice<'m> {
     /// The place nearest to one (m).
     pub(super) fn nearest(&self, to: Vec2) -> Option<usize> {
         let with_room = (0..self.room_m.len()).filter(|&index| self.room_m[index].is_some());
-        with_room.min_by(|&a, &b| self.at(a).distance_squared(to).total_cmp(&self.at(b).distance_squared(to)))
+        with_room.min_by(|&a, &b| {
+            self.cells
+                .middle_of(a)
+                .distance_squared(to)
+                .total_cmp(&self.cells.middle_of(b).distance_squared(to))
+        })
     }
 
     /// So many places around one that a robot can fly to from it, the nearest by steps first.
     pub(super) fn places(&self, first: usize, count: usize) -> Vec<Vec2> {
         let found = self.around(first, count, &mut vec![false; self.room_m.len()]);
-        found.into_iter().map(|index| self.at(index)).collect()
+        found.into_iter().map(|index| self.cells.middle_of(index)).collect()
     }
 
     /// Breadth first, through air; at most `count`.
@@ -82,15 +78,10 @@ impl<'m> Lattice<'m> {
             if found.len() >= count {
                 break;
             }
-            let (col, row) = (index % self.cols, index / self.cols);
-            let beside = [
-                (col + 1 < self.cols).then_some(index + 1),
-                (col > 0).then(|| index - 1),
-                (row + 1 < self.rows).then_some(index + self.cols),
-                (row > 0).then(|| index - self.cols),
-            ];
-            for next in beside.into_iter().flatten() {
-                if !asked[next] && self.room_m[next].is_some() && self.map.sees(self.at(index), self.at(next))
+            for next in CellGrid::STEPS.into_iter().filter_map(|step| self.cells.beside(index, step)) {
+                if !asked[next]
+                    && self.room_m[next].is_some()
+                    && self.map.sees(self.cells.middle_of(index), self.cells.middle_of(next))
                 {
                     asked[next] = true;
                     open.push_back(next);

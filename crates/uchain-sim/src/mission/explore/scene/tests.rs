@@ -75,7 +75,7 @@ fn an_exploration_is_no_chain_and_a_chain_no_exploration() {
 #[test]
 fn a_room_of_16_m2_is_reachable_but_for_a_body_along_its_walls() {
     let site = Site::read(&room(), &[]).unwrap();
-    let cell_m = f64::from(site.ground().cell_m());
+    let cell_m = f64::from(site.ground().cells().cell_m());
     let area_m2 = site.ground().count() as f64 * cell_m * cell_m;
     assert!((area_m2 - 3.8 * 3.8).abs() < 0.01, "{area_m2}");
 }

@@ -84,7 +84,8 @@ impl Hearing {
     }
 }
 
-/// Per robot the lowest index that messages can come from or go to.
+/// Per robot the lowest index that messages can come from or go to: connected components, found by looking at all that
+/// are left: they are a thousand at most, and it is asked once a round.
 fn groups(places: &[Point], range_m: f32) -> Vec<usize> {
     let mut group: Vec<usize> = (0..places.len()).collect();
     // Those that nobody has reached yet, in index order.
