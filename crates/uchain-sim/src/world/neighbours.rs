@@ -10,6 +10,8 @@ const ONE_CELL: usize = 16;
 const CELLS_PER_BODY: usize = 4;
 
 /// Bodies in the air at one instant, cell after cell. Keeps its memory from one instant to the next.
+///
+/// A grid of its own: what it holds moves, so that it is sorted anew in every tick; the map's grids are laid once.
 #[derive(Debug, Clone)]
 pub(super) struct NeighbourGrid {
     /// Least side of a cell (m).

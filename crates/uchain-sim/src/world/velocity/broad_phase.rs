@@ -21,7 +21,6 @@ pub(in crate::world) enum Solved {
     /// Those who are near something.
     Near,
     /// Everybody in the air, always: the slow way, and the measure of the other.
-    #[cfg_attr(not(any(test, feature = "oracles")), expect(dead_code, reason = "only tests ask for it"))]
     Everybody,
     /// Nobody, ever: what a test of the broad phase must notice.
     #[cfg(test)]
