@@ -9,6 +9,9 @@
 //! Exploration Strategy for a Team of Quadrotors", 2021. Its robots know their own *estimated* poses, their scans and
 //! what the others say, and nothing else.
 //!
+//! [`flight`] is the PD law of Kim 2021, §7.1, that keeps a quadrotor in the air and takes it to where it is sent. It needs
+//! no heap either.
+//!
 //! What a robot may know is in plain `f32` fields with the unit in the name. Equations are cited as in the papers.
 //!
 //! Conventions: x forward, y left, angles counter-clockwise; radio is a *loss* in dB, bigger is worse.
@@ -21,6 +24,7 @@ mod bounded;
 pub mod chain;
 #[cfg(feature = "alloc")]
 pub mod explore;
+pub mod flight;
 pub mod params;
 pub mod seam;
 

@@ -16,6 +16,7 @@ use uchain_core::{
         CenterParams, EqualizeParams, Heard, KalmanParams, Node, NodeParams, Observation, RadioSlot, Role,
         ScalarKalman, TOF_RANGE_M, Tof, center, equalize,
     },
+    flight::{Attitude, FlightState, PdLaw, QuadrotorParams},
     seam::Brain as _,
 };
 
@@ -59,6 +60,16 @@ pub extern "C" fn laws(loss_db: f32, speed_mps: f32, distance_m: f32, backward: 
     let centering =
         center(&tof, TOF_RANGE_M, backward, Default::default(), &black_box(CenterParams::default()));
     filtered + centering.lateral_mps + equalize(loss_db, distance_m, &black_box(EqualizeParams::default()))
+}
+
+/// The law that keeps a quadrotor in the air.
+#[unsafe(no_mangle)]
+pub extern "C" fn hover(x_m: f32, z_m: f32, heading_rad: f32) -> f32 {
+    let law = PdLaw::new(&black_box(QuadrotorParams::default()), 0.5, 0.5);
+    let attitude = Attitude::level(heading_rad);
+    let state = FlightState { at_m: [x_m, 0.0, z_m], attitude, ..FlightState::default() };
+    let demand = law.demand(&state, 0.0, 0.005);
+    demand.turn_radps2.iter().fold(demand.lift_mps2, |sum, turn| sum + turn)
 }
 
 /// How long the message about a bad tunable is, in bytes.

@@ -12,9 +12,9 @@ use crate::{
 };
 
 /// The functions of the proof that call the laws.
-const LAWS: &[&str] = &["fly", "laws", "complain"];
+const LAWS: &[&str] = &["fly", "laws", "hover", "complain"];
 /// And with exploration, on a heap that the proof brings.
-const EXPLORING: &[&str] = &["fly", "laws", "complain", "explore"];
+const EXPLORING: &[&str] = &["fly", "laws", "hover", "complain", "explore"];
 
 /// What the core may ask of its host: copying and comparing memory, which every target brings.
 const MEMORY: [&str; 5] = ["memcpy", "memmove", "memset", "memcmp", "bcmp"];

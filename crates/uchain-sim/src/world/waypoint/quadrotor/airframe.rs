@@ -1,12 +1,10 @@
 //! A rigid body that four rotors lift and turn. Axes of the body: x to the front, y to the left, z up.
 
 use glam::{Quat, Vec3};
-use uchain_core::bounded;
-
-use super::QuadrotorParams;
-
-/// Standard gravity (m/s²).
-pub(super) const GRAVITY_MPS2: f32 = 9.806_65;
+use uchain_core::{
+    bounded,
+    flight::{Attitude, Demand, FlightState, GRAVITY_MPS2, QuadrotorParams},
+};
 
 /// Most that a body spins (rad/s). What is flown by a law that cannot hold it stays within numbers.
 const SPIN_MAX_RADPS: f32 = 100.0;
@@ -36,15 +34,6 @@ pub(super) struct State {
     pub(super) rates_radps: Vec3,
 }
 
-/// What a law asks of an airframe.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Asked {
-    /// Acceleration along the body's z axis, gravity not taken off (m/s²).
-    pub(super) lift_mps2: f32,
-    /// Angular acceleration about the body's axes (rad/s²).
-    pub(super) turn_radps2: Vec3,
-}
-
 impl Airframe {
     pub(super) fn new(params: &QuadrotorParams) -> Self {
         let QuadrotorParams { mass_kg, arm_m, drag_arm_m, thrust_to_weight, .. } = *params;
@@ -60,9 +49,9 @@ impl Airframe {
 
     /// Thrusts of the front, left, rear and right rotor, each from none to its greatest (N). What they cannot do all
     /// together they do first for height, roll and pitch; yaw gets what is left.
-    pub(super) fn rotors_n(&self, asked: &Asked) -> [f32; 4] {
+    pub(super) fn rotors_n(&self, asked: &Demand) -> [f32; 4] {
         let limit = |n: f32| bounded(n, 0.0, self.rotor_max_n);
-        let torque = self.inertia_kg_m2 * asked.turn_radps2;
+        let torque = self.inertia_kg_m2 * Vec3::from(asked.turn_radps2);
         let even = self.mass_kg * asked.lift_mps2 / 4.0;
         let (roll, pitch) = (torque.x / (2.0 * self.arm_m), torque.y / (2.0 * self.arm_m));
         let [front, left, rear, right] = [even - pitch, even + roll, even + pitch, even - roll].map(limit);
@@ -129,7 +118,21 @@ impl State {
 
     /// Where the body's x axis points to, counter-clockwise from the world's (rad).
     pub(super) fn heading_rad(&self) -> f32 {
+        self.attitude().heading_rad()
+    }
+
+    fn attitude(&self) -> Attitude {
         let Quat { x, y, z, w } = self.attitude;
-        libm::atan2f(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+        Attitude { xyz: [x, y, z], w }
+    }
+
+    /// What the law knows of it.
+    pub(super) fn known(&self) -> FlightState {
+        FlightState {
+            at_m: self.at_m.to_array(),
+            velocity_mps: self.velocity_mps.to_array(),
+            attitude: self.attitude(),
+            rates_radps: self.rates_radps.to_array(),
+        }
     }
 }

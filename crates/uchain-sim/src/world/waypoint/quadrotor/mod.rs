@@ -1,18 +1,16 @@
 //! A quadrotor with six degrees of freedom under a PD law (Kim 2021, §7.1).
 
 mod airframe;
-mod law;
-mod params;
 #[cfg(test)]
 mod tests;
 
 use glam::Vec3;
+pub use uchain_core::flight::QuadrotorParams;
+use uchain_core::flight::{PdLaw, turn_rad};
 
 use super::{Vehicle, Waypoint};
 use crate::clock::TICK_S;
 use airframe::{Airframe, State};
-use law::Law;
-pub use params::QuadrotorParams;
 
 /// Steps of one tick. The fastest pole of the published gains, 20.7 per second, is a tenth of what they can hold.
 const SUBSTEPS: u32 = 10;
@@ -24,7 +22,7 @@ const STEP_S: f32 = TICK_S / SUBSTEPS as f32;
 #[derive(Debug, Clone)]
 pub struct Quadrotor {
     airframe: Airframe,
-    law: Law,
+    law: PdLaw,
     /// Its place is counted from where it is to be, so that a millimetre counts anywhere on a large map.
     state: State,
     to: Waypoint,
@@ -45,7 +43,7 @@ impl Quadrotor {
     pub fn new(at: Waypoint, params: &QuadrotorParams, v_mps: f32, climb_mps: f32) -> Self {
         Self {
             airframe: Airframe::new(params),
-            law: Law::new(params, v_mps, climb_mps),
+            law: PdLaw::new(params, v_mps, climb_mps),
             state: State::hovering(at.heading_rad),
             to: at,
             near: Near { m: params.arrive_m, mps: params.arrive_mps, rad: params.arrive_deg.to_radians() },
@@ -66,7 +64,7 @@ impl Vehicle for Quadrotor {
 
     fn advance(&mut self) {
         for _ in 0..SUBSTEPS {
-            let asked = self.law.fly(&self.state, self.to.heading_rad, STEP_S);
+            let asked = self.law.demand(&self.state.known(), self.to.heading_rad, STEP_S);
             let rotors_n = self.airframe.rotors_n(&asked);
             self.state.step(&self.airframe, &rotors_n, STEP_S);
         }
@@ -83,7 +81,7 @@ impl Vehicle for Quadrotor {
 
     fn has_arrived(&self) -> bool {
         let Near { m, mps, rad } = self.near;
-        let turn_rad = law::turn_rad(self.state.heading_rad(), self.to.heading_rad);
+        let turn_rad = turn_rad(self.state.heading_rad(), self.to.heading_rad);
         self.state.at_m.length_squared() <= m * m
             && self.state.velocity_mps.length_squared() <= mps * mps
             && turn_rad.abs() <= rad

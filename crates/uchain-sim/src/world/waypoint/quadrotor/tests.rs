@@ -1,10 +1,10 @@
 use glam::{Quat, Vec2, Vec3};
 use proptest::prelude::*;
+use uchain_core::flight::{Attitude, Demand, GRAVITY_MPS2};
 
 use super::{
     super::{Vehicle, Waypoint},
     Airframe, Quadrotor, QuadrotorParams, STEP_S, State,
-    airframe::{Asked, GRAVITY_MPS2},
 };
 use crate::clock::TICK_S;
 
@@ -123,6 +123,18 @@ proptest! {
         }
     }
 
+    /// The law turns vectors in plain `f32`, the airframe with glam, which has SIMD on some targets.
+    #[test]
+    fn the_core_turns_vectors_with_the_bits_of_glam(
+        turn in [-1.0_f32..1.0, -1.0_f32..1.0, -1.0_f32..1.0, 0.1_f32..1.0],
+        vector in [-5.0_f32..5.0, -5.0_f32..5.0, -5.0_f32..5.0],
+    ) {
+        let glam = Quat::from_array(turn).normalize();
+        let core = Attitude { xyz: [glam.x, glam.y, glam.z], w: glam.w };
+        prop_assert_eq!(core.turned(vector), (glam * Vec3::from(vector)).to_array());
+        prop_assert_eq!(core.inverse().turned(vector), (glam.inverse() * Vec3::from(vector)).to_array());
+    }
+
     #[test]
     fn rotors_push_upwards_only_and_no_more_than_they_can(
         lift_mps2 in -50.0_f32..50.0,
@@ -130,7 +142,7 @@ proptest! {
         build in 0_usize..2,
     ) {
         let params = &builds()[build];
-        let rotors = Airframe::new(params).rotors_n(&Asked { lift_mps2, turn_radps2: Vec3::from(turn) });
+        let rotors = Airframe::new(params).rotors_n(&Demand { lift_mps2, turn_radps2: turn });
         let most_n = params.thrust_to_weight * params.mass_kg * GRAVITY_MPS2 / 4.0;
         prop_assert!(rotors.iter().all(|n| (-1e-5..=most_n + 1e-5).contains(n)), "{rotors:?}");
     }

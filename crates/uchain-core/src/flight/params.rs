@@ -1,10 +1,10 @@
 //! Every number of a quadrotor.
 
-uchain_core::params! {
+crate::params! {
     /// A quadrotor and its law. Only `explore.vehicle = "quadrotor"` heeds it. A gain is an angular or vertical
     /// acceleration per error (p), or per error of its rate (d). Inertia is that of a flat disc of radius `arm_m`.
-    #[derive(serde::Serialize, serde::Deserialize)]
-    #[serde(default, deny_unknown_fields)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
     pub struct QuadrotorParams {
         /// Mass (kg).
         /// - Symbol: M
