@@ -1,12 +1,14 @@
 //! Whole explorations: how their cost grows with the place, and what a quadrotor costs.
 
+use std::sync::Arc;
+
 use std::fmt::Write as _;
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use uchain_sim::{
     config::{Source, builtin},
     mission::explore::Site,
-    run::explore,
+    run::run,
 };
 
 /// Side of a room, wall to wall (m).
@@ -24,11 +26,11 @@ fn offices(criterion: &mut Criterion, name: &str, keys: &str) {
     group.sample_size(10);
     for rooms in [4, 8, 16] {
         let site = office(rooms, keys);
-        let (summary, _) = explore(&site, 1, &mut ()).expect("nobody stops it");
+        let summary = run(&site, 1, &mut ()).expect("nobody stops it");
         group.throughput(Throughput::Elements(summary.moves.iter().sum::<u32>().into()));
         let nodes: u32 = summary.nodes.iter().sum();
         group.bench_function(BenchmarkId::new("ours", nodes), |b| {
-            b.iter(|| explore(&site, 1, &mut ()).expect("nobody stops it"));
+            b.iter(|| run(&site, 1, &mut ()).expect("nobody stops it"));
         });
     }
     group.finish();
@@ -42,17 +44,17 @@ fn vehicles(criterion: &mut Criterion) {
         let sets = [format!("explore.vehicle={vehicle}")];
         let site = Site::read(&builtin("apartment").expect("a compiled-in scenario"), &sets);
         let site = site.expect("a valid site");
-        let (summary, _) = explore(&site, 1, &mut ()).expect("nobody stops it");
+        let summary = run(&site, 1, &mut ()).expect("nobody stops it");
         group.throughput(Throughput::Elements(summary.iterations.into()));
         group.bench_function(BenchmarkId::new(function, summary.robots), |b| {
-            b.iter(|| explore(&site, 1, &mut ()).expect("nobody stops it"));
+            b.iter(|| run(&site, 1, &mut ()).expect("nobody stops it"));
         });
     }
     group.finish();
 }
 
 /// Square rooms side by side, with doors of 1 m and more: crosses of walls where four of them meet.
-fn office(rooms: u32, keys: &str) -> Site {
+fn office(rooms: u32, keys: &str) -> Arc<Site> {
     let side_m = ROOM_M * f64::from(rooms);
     let mut text = format!(
         "name = \"office\"\nduration_s = 86400.0\n[explore]\nrobots = 10\n{keys}[map.walls]\n\

@@ -20,7 +20,7 @@ pub(crate) fn all(criterion: &mut Criterion) {
     let source = builtin("corner").expect("a compiled-in scenario");
     let sets = ["chain.uavs=5", "takeoff.s_min_db=50", "duration_s=120"].map(str::to_owned);
     let scenario = Scenario::parse(&source, &sets).expect("a valid scenario");
-    let course = Course::lay(scenario, &source).expect("a valid course");
+    let course = Course::lay_out(scenario, &source).expect("a valid course");
     let mut frames = All(Vec::new());
     run(&course, 1, &mut frames).expect("nobody stops it");
 

@@ -1,12 +1,17 @@
 //! Whole missions, all sensors, noise and physics.
 
+use std::sync::Arc;
+
 use std::{fmt::Write as _, time::Duration};
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use uchain_sim::{
     clock::{TICKS_PER_S, total_ticks},
     config::{Source, builtin},
-    mission::chain::{Course, Scenario, Sim},
+    mission::{
+        Mission as _,
+        chain::{Chain, Course, Scenario},
+    },
     run::run,
     sense::{ParryRays, Rays},
 };
@@ -17,7 +22,7 @@ pub(crate) fn all(criterion: &mut Criterion) {
 }
 
 /// The mission that is timed and counted.
-pub(crate) fn circuit() -> Course {
+pub(crate) fn circuit() -> Arc<Course> {
     let source = builtin("circuit").expect("a compiled-in scenario");
     Course::read(&source, &["chain.uavs=5".to_owned()]).expect("a valid course")
 }
@@ -32,9 +37,9 @@ fn missions(criterion: &mut Criterion) {
     group.bench_function(BenchmarkId::new("ours", uavs), |b| {
         b.iter(|| run(&course, 1, &mut ()).expect("nobody stops it"));
     });
-    let rays = ParryRays::new(&course.map);
+    let rays = Arc::new(ParryRays::new(&course.map));
     group.bench_function(BenchmarkId::new("plain", uavs), |b| {
-        b.iter(|| fly(&mut Sim::plain(&course, 1, &rays), ticks));
+        b.iter(|| fly(&mut Chain::plain(course.clone(), 1, rays.clone()), ticks));
     });
     group.finish();
 }
@@ -50,13 +55,13 @@ fn chains(criterion: &mut Criterion) {
         let warm_up = second * (10 + uavs as u64 / 5);
         group.throughput(Throughput::Elements(uavs as u64));
         group.bench_function(BenchmarkId::new("ours", uavs), |b| {
-            let mut sim = Sim::new(&course, 1);
+            let mut sim: Chain = Chain::start(course.clone(), 1);
             fly(&mut sim, warm_up);
             b.iter(|| fly(&mut sim, second));
         });
-        let rays = ParryRays::new(&course.map);
+        let rays = Arc::new(ParryRays::new(&course.map));
         group.bench_function(BenchmarkId::new("plain", uavs), |b| {
-            let mut sim = Sim::plain(&course, 1, &rays);
+            let mut sim = Chain::plain(course.clone(), 1, rays.clone());
             fly(&mut sim, warm_up);
             b.iter(|| fly(&mut sim, second));
         });
@@ -64,12 +69,12 @@ fn chains(criterion: &mut Criterion) {
     group.finish();
 }
 
-fn fly(sim: &mut Sim<'_, impl Rays>, ticks: u64) {
-    (0..ticks).for_each(|_| sim.step(&mut ()).expect("nobody stops it"));
+fn fly(sim: &mut Chain<impl Rays>, ticks: u64) {
+    (0..ticks).for_each(|_| _ = sim.step(&mut ()).expect("nobody stops it"));
 }
 
 /// 2.1 km of zig-zag, 1.2 m wide, 420 walls.
-fn long_tunnel(uavs: usize) -> Course {
+fn long_tunnel(uavs: usize) -> Arc<Course> {
     let corner = |i: usize| [10.0 * i as f64, if i.is_multiple_of(2) { 0.0 } else { 3.0 }];
     let length_m = libm::hypot(10.0, 3.0);
     let place = |along_m: f64| {
@@ -97,5 +102,5 @@ fn long_tunnel(uavs: usize) -> Course {
     text.push_str("]\n[[pilot]]\nstart_s = 0.0\nspeed_mps = 0.0\n");
     let source = Source { text, ..builtin("corner").expect("a compiled-in scenario") };
     let scenario = Scenario::parse(&source, &[]).unwrap_or_else(|error| panic!("{error}"));
-    Course::lay(scenario, &source).unwrap_or_else(|error| panic!("{error}"))
+    Course::lay_out(scenario, &source).unwrap_or_else(|error| panic!("{error}"))
 }

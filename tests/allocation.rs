@@ -1,18 +1,18 @@
 //! Memory: a tick asks for none, unless rapier steps (which allocates by itself).
 
 use allocation_counter::measure;
-use uchain_sim::mission::chain::Sim;
+use uchain_sim::mission::{Mission as _, chain::Chain};
 
 use crate::course;
 
 /// Ticks without a solver step, how often memory was asked for in them, and the same for ticks with one.
 fn count(name: &str, sets: &[&str], ticks: usize) -> [(u64, u64); 2] {
     let course = course(name, sets);
-    let mut sim = Sim::new(&course, 1);
+    let mut sim: Chain = Chain::start(course.clone(), 1);
     let mut counted = [(0, 0); 2];
     for _ in 0..ticks {
         let before = sim.world().solver_steps();
-        let asked = measure(|| sim.step(&mut ()).unwrap()).count_total;
+        let asked = measure(|| _ = sim.step(&mut ()).unwrap()).count_total;
         let (ticks, total) = &mut counted[(sim.world().solver_steps() - before) as usize];
         *ticks += 1;
         *total += asked;

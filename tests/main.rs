@@ -21,6 +21,8 @@ mod record;
 /// Many runs draw from streams of their own.
 mod sweep;
 
+use std::sync::Arc;
+
 use std::path::PathBuf;
 
 // Digests are held against each other: this program brings its own mathematics.
@@ -31,15 +33,15 @@ use uchain_sim::{
 };
 
 /// A compiled-in scenario with keys set.
-fn course(name: &str, sets: &[&str]) -> Course {
+fn course(name: &str, sets: &[&str]) -> Arc<Course> {
     let source = builtin(name).expect("a compiled-in scenario");
     lay(&source, sets)
 }
 
-fn lay(source: &Source, sets: &[&str]) -> Course {
+fn lay(source: &Source, sets: &[&str]) -> Arc<Course> {
     let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
     let scenario = Scenario::parse(source, &sets).unwrap_or_else(|e| panic!("{e}"));
-    Course::lay(scenario, source).unwrap_or_else(|e| panic!("{e}"))
+    Course::lay_out(scenario, source).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// The folder of shared data; `None`, said aloud, where it is absent. In the gate absence is a failure.

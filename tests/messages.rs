@@ -1,12 +1,12 @@
 //! Files that are wrong: what is said names the file's own line, or none, in words for people.
 
-use uchain_sim::{config::Source, mission::Mission};
+use uchain_sim::{config::Source, registry::Registry};
 
 use crate::shared_cases;
 
 /// What reading a map file, or a scenario file, comes to.
 fn said(path: &str) -> String {
-    let read = Source::find(path).and_then(|source| Mission::read(&source, &[]));
+    let read = Source::find(path).and_then(|source| Registry::default().read(&source, &[]));
     read.map_or_else(|error| error.to_string(), |_| "ok".to_owned())
 }
 

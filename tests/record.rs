@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use std::{fs, path::Path};
 
 use uchain_core::chain::Tof;
@@ -5,9 +7,9 @@ use uchain_sim::{
     mission::chain::{Course, Frame, History, LinkFrame, McapRecorder},
     record::{
         RecordError, Recorder,
-        mcap::{End, ReadError, Recording},
+        mcap::{End, ReadError},
     },
-    replay,
+    replay::{self, Recording},
     run::run,
 };
 
@@ -24,7 +26,7 @@ impl Recorder<Frame> for All {
     }
 }
 
-fn recorded(course: &Course) -> (Vec<u8>, Vec<Frame>) {
+fn recorded(course: &Arc<Course>) -> (Vec<u8>, Vec<Frame>) {
     let mut both = (McapRecorder::start(Vec::new(), course, 1).unwrap(), All::default());
     run(course, 1, &mut both).unwrap();
     (both.0.finish().unwrap(), both.1.0)
@@ -32,8 +34,8 @@ fn recorded(course: &Course) -> (Vec<u8>, Vec<Frame>) {
 
 /// What comes out of a file: how it ended, or why it was refused, and after how many frames. Every one of them is the
 /// frame that was written, or the test ends here.
-fn read(file: &[u8], written: &[Frame], truth: &Recording<&[u8]>) -> (Result<End, ReadError>, usize) {
-    let mut recording = match Recording::read(file, "memory") {
+fn read(file: &[u8], written: &[Frame], truth: &Recording<&[u8], Course>) -> (Result<End, ReadError>, usize) {
+    let mut recording = match Recording::<_, Course>::read(file, "memory") {
         Ok(recording) => recording,
         Err(error) => return (Err(error), 0),
     };
@@ -57,7 +59,7 @@ fn recording_changes_no_bit_of_a_run() {
     let mut recorder = McapRecorder::start(Vec::new(), &course, 1).unwrap();
     assert_eq!(run(&course, 1, &mut recorder).unwrap(), alone);
     let file = recorder.finish().unwrap();
-    let mut recording = Recording::read(file.as_slice(), "memory").unwrap();
+    let mut recording = Recording::<_, Course>::read(file.as_slice(), "memory").unwrap();
     assert_eq!(recording.summary(&course, &mut ()).unwrap(), alone, "and reading it back sums up the same");
 }
 
@@ -65,7 +67,7 @@ fn recording_changes_no_bit_of_a_run() {
 fn a_file_that_ends_at_any_byte_is_read_up_to_its_last_whole_chunk() {
     let course = course("straight", &["duration_s=2", "chain.uavs=1"]);
     let (file, written) = recorded(&course);
-    let truth = Recording::read(file.as_slice(), "memory").unwrap();
+    let truth = Recording::<_, Course>::read(file.as_slice(), "memory").unwrap();
     let mut most = 0;
     for length in 0..file.len() {
         let (ended, frames) = read(&file[..length], &written, &truth);
@@ -85,7 +87,7 @@ fn a_file_that_ends_at_any_byte_is_read_up_to_its_last_whole_chunk() {
 fn a_file_that_ends_in_zeros_from_any_byte_on_is_read_up_to_its_last_whole_chunk() {
     let course = course("straight", &["duration_s=2", "chain.uavs=1"]);
     let (file, written) = recorded(&course);
-    let truth = Recording::read(file.as_slice(), "memory").unwrap();
+    let truth = Recording::<_, Course>::read(file.as_slice(), "memory").unwrap();
     let cut_at = |length: usize| read(&file[..length], &written, &truth).1;
     for length in 0..=file.len() {
         let mut zeroed = file.clone();
@@ -121,7 +123,7 @@ impl Dice {
 fn no_flipped_bit_makes_another_frame() {
     let course = course("corner", &["duration_s=12"]);
     let (file, written) = recorded(&course);
-    let truth = Recording::read(file.as_slice(), "memory").unwrap();
+    let truth = Recording::<_, Course>::read(file.as_slice(), "memory").unwrap();
     let mut dice = Dice(1);
     let (mut refused, mut cut_short) = (0, 0);
     for i in 0..10_000 {
@@ -159,8 +161,8 @@ impl Recorder<Frame> for Beam {
     }
 }
 
-fn open(file: &[u8]) -> Recording<&[u8]> {
-    Recording::read(file, "memory").unwrap()
+fn open(file: &[u8]) -> Recording<&[u8], Course> {
+    Recording::<_, Course>::read(file, "memory").unwrap()
 }
 
 #[test]
@@ -215,7 +217,7 @@ fn recordings_of_others_are_refused_in_words() {
         ("mcap/absent.mcap", "cannot read: No such file"),
     ];
     for (name, words) in expected {
-        let error = Recording::open(&data.join(name)).map(drop).unwrap_err().to_string();
+        let error = Recording::<_, Course>::open(&data.join(name)).map(drop).unwrap_err().to_string();
         assert!(error.contains(words), "{name}: {error}");
     }
 }
@@ -233,7 +235,8 @@ fn a_run_on_a_map_file_is_flown_again_without_the_file() {
     let place = folder.path().to_owned();
     drop(folder);
     assert!(!Path::new(&place).exists());
-    let verdict = replay::verify(&mut Recording::read(recording.as_slice(), "memory").unwrap()).unwrap();
+    let verdict =
+        replay::verify(&mut Recording::<_, Course>::read(recording.as_slice(), "memory").unwrap()).unwrap();
     assert!(verdict.agrees() && verdict.ticks == 200, "{verdict:?}");
 }
 
@@ -273,12 +276,13 @@ fn a_whole_file_of_impossible_numbers_is_summed_up_drawn_and_refuted() {
         let mut wild = Wild(McapRecorder::start(Vec::new(), &course, 1).unwrap(), Dice(seed));
         run(&course, 1, &mut wild).unwrap();
         let file = wild.0.finish().unwrap();
-        let mut recording = Recording::read(file.as_slice(), "memory").unwrap();
+        let mut recording = Recording::<_, Course>::read(file.as_slice(), "memory").unwrap();
         let mut history = History::default();
         let summary = recording.summary(&course, &mut history).unwrap();
         uchain_sim::mission::chain::run_png(&course, &history, &summary).unwrap();
         assert_eq!(history.frames.len(), 240);
-        let verdict = replay::verify(&mut Recording::read(file.as_slice(), "memory").unwrap()).unwrap();
+        let verdict =
+            replay::verify(&mut Recording::<_, Course>::read(file.as_slice(), "memory").unwrap()).unwrap();
         assert_eq!(verdict.first.unwrap().tick, 1);
     }
 }

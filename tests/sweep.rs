@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use proptest::prelude::*;
 use uchain_sim::{
     mission::chain::{Course, Frame, UavFrame},
@@ -79,7 +81,7 @@ impl Recorder<Frame> for First {
     }
 }
 
-fn first(course: &Course, seed: u64, uavs: usize) -> Vec<Vec<UavFrame>> {
+fn first(course: &Arc<Course>, seed: u64, uavs: usize) -> Vec<Vec<UavFrame>> {
     let mut first = First { uavs, frames: Vec::new(), is_over: false };
     run(course, seed, &mut first).unwrap();
     first.frames

@@ -1,14 +1,14 @@
+use std::sync::Arc;
+
 use std::{fs, path::PathBuf};
 
 use uchain_sim::{
     analyse::Outcome,
     config::{Source, builtin},
-    mission::{
-        Mission,
-        chain::{Course, Frame, McapRecorder, Summary},
-    },
-    record::{RecordError, Recorder, mcap::Recording},
-    replay,
+    mission::chain::{Course, Frame, McapRecorder, Summary},
+    record::{RecordError, Recorder},
+    registry::{AnyScene, Registry},
+    replay::{self, Recording},
     run::run,
 };
 
@@ -23,9 +23,9 @@ fn said(summary: &Summary) -> (&'static str, String) {
     (summary.verdict.outcome().word(), summary.verdict.to_string())
 }
 
-fn mission(sets: &[&str]) -> Result<Mission, String> {
+fn scene(sets: &[&str]) -> Result<Arc<dyn AnyScene>, String> {
     let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
-    Mission::read(&builtin("straight").unwrap(), &sets).map_err(|error| error.to_string())
+    Registry::default().read(&builtin("straight").unwrap(), &sets).map_err(|error| error.to_string())
 }
 
 #[test]
@@ -39,19 +39,19 @@ fn a_chain_that_did_what_was_asked_says_so_with_its_numbers() {
 
 #[test]
 fn a_row_that_puts_the_head_far_away_is_named_before_the_start_and_after_it() {
-    let far = mission(&["chain.uavs=40"]).unwrap();
+    let far = scene(&["chain.uavs=40"]).unwrap();
     let [note] = far.notes().try_into().unwrap();
     assert!(note.contains("the head waits 9.75 m from the base, and loses 66.8 dB"), "{note}");
-    let Mission::Chain(course) = &far else { panic!("a chain") };
+    let course = far.get::<Course>().expect("a chain");
     let (word, words) = said(&run(course, 1, &mut ()).unwrap());
     assert_eq!(word, "not-launched", "{words}");
     assert!(words.contains("none of 39 relays took off, and 1 of 1 link over 60 dB"), "{words}");
 
     // What the note asks for helps.
     for set in note.split("--set ").skip(1).map(|set| set.trim_end_matches(" or ")) {
-        assert_eq!(mission(&["chain.uavs=40", set]).unwrap().notes(), Vec::<String>::new(), "{set}");
+        assert_eq!(scene(&["chain.uavs=40", set]).unwrap().notes(), Vec::<String>::new(), "{set}");
     }
-    assert_eq!(mission(&[]).unwrap().notes(), Vec::<String>::new(), "nothing is wrong with a short row");
+    assert_eq!(scene(&[]).unwrap().notes(), Vec::<String>::new(), "nothing is wrong with a short row");
 }
 
 #[test]
@@ -71,7 +71,7 @@ fn relays_that_wait_for_ever_are_not_launched_and_those_that_are_not_there_are_s
 fn thresholds_that_keep_relays_on_the_ground_are_refused_with_what_to_set() {
     let remedy = "--set link.head_stop_db=85 --set link.head_back_db=90 --set link.relay_back_db=95";
     for sets in [&["takeoff.s_min_db=75"][..], &["takeoff.s_min_db=75", "link.head_stop_db=70"]] {
-        let error = mission(sets).unwrap_err();
+        let error = scene(sets).unwrap_err();
         assert!(
             error.contains("70: else the head stops before the next relay takes off")
                 || error.contains("must lie above takeoff.s_min_db = 75"),
@@ -81,28 +81,28 @@ fn thresholds_that_keep_relays_on_the_ground_are_refused_with_what_to_set() {
     }
     let sets: Vec<&str> =
         std::iter::once("takeoff.s_min_db=75").chain(remedy.split("--set ").skip(1).map(str::trim)).collect();
-    assert!(mission(&sets).is_ok(), "what it asks for is taken");
-    let error = mission(&["link.relay_back_db=60"]).unwrap_err();
+    assert!(scene(&sets).is_ok(), "what it asks for is taken");
+    let error = scene(&["link.relay_back_db=60"]).unwrap_err();
     assert!(error.contains("must lie above takeoff.s_min_db = 60: else relays fly back"), "{error}");
-    let error = mission(&["link.head_back_db=69"]).unwrap_err();
+    let error = scene(&["link.head_back_db=69"]).unwrap_err();
     assert!(error.contains("must be at least link.head_stop_db = 70"), "{error}");
     // A head alone waits for nobody, and presets are as they were flown.
     for set in ["chain.uavs=1", "preset=cavemod", "preset=frontiers2021"] {
         let s_min = if set == "chain.uavs=1" { "takeoff.s_min_db=75" } else { "takeoff.s_min_db=60" };
-        assert!(mission(&[set, s_min]).is_ok(), "{set}");
+        assert!(scene(&[set, s_min]).is_ok(), "{set}");
     }
 }
 
 #[test]
 fn a_reception_below_the_threshold_and_a_pilot_too_fast_are_noted() {
-    let [note] = mission(&["packets.limit_db=50"]).unwrap().notes().try_into().unwrap();
+    let [note] = scene(&["packets.limit_db=50"]).unwrap().notes().try_into().unwrap();
     assert!(note.ends_with("try --set packets.limit_db=100"), "{note}");
-    let [note] = mission(&["pilot.0.speed_mps=0.5"]).unwrap().notes().try_into().unwrap();
+    let [note] = scene(&["pilot.0.speed_mps=0.5"]).unwrap().notes().try_into().unwrap();
     assert!(note.ends_with("try --set equalize.v_max_mps=0.5"), "{note}");
 }
 
 /// A pocket 8 m long; nobody says where its middle is, so nobody knows that it ends there.
-fn pocket(seconds: f64) -> Course {
+fn pocket(seconds: f64) -> Arc<Course> {
     let text = format!(
         "name = \"pocket\"\nduration_s = {seconds}\n[map.walls]\nouter_m = [[0, 0], [8, 0], [8, 1], [0, 1]]\n[chain]\n\
          uavs = 4\nbase_m = [0.5, 0.5]\n[[pilot]]\nstart_s = 0.0\nspeed_mps = 0.2\n"
@@ -207,13 +207,15 @@ fn of_a_recording_that_does_not_say_who_heard_whom_nobody_knows_how_long_it_was_
     let mut older = Older(McapRecorder::start(Vec::new(), &course, 1).unwrap());
     let flown = run(&course, 1, &mut older).unwrap();
     let file = older.0.finish().unwrap();
-    let read = Recording::read(file.as_slice(), "memory").unwrap().summary(&course, &mut ()).unwrap();
+    let read =
+        Recording::<_, Course>::read(file.as_slice(), "memory").unwrap().summary(&course, &mut ()).unwrap();
     assert_eq!((read.connected_fraction, read.below_limit_fraction), (None, flown.below_limit_fraction));
     assert!(
         said(&read).1.ends_with("; the recording does not say who heard whom, and what the pilot asked for")
     );
     assert_eq!(read.digest, flown.digest);
-    let verdict = replay::verify(&mut Recording::read(file.as_slice(), "memory").unwrap()).unwrap();
+    let verdict =
+        replay::verify(&mut Recording::<_, Course>::read(file.as_slice(), "memory").unwrap()).unwrap();
     assert!(verdict.agrees(), "what was not written is not held against it: {verdict:?}");
 }
 
@@ -224,7 +226,7 @@ fn a_flight_that_is_known_in_part_has_the_links_it_had_there() {
     run(&course, 1, &mut recorder).unwrap();
     let file = recorder.finish().unwrap();
     let cut = &file[..file.len() / 2];
-    let s = Recording::read(cut, "memory").unwrap().summary(&course, &mut ()).unwrap();
+    let s = Recording::<_, Course>::read(cut, "memory").unwrap().summary(&course, &mut ()).unwrap();
     assert!(s.sim_s > 5.0 && s.sim_s < 60.0, "{}", s.sim_s);
     assert_eq!(said(&s).0, "interrupted");
     assert_eq!((s.links.len(), s.spread_db.is_some()), (s.uavs, s.uavs > 1), "{s:?}");

@@ -13,10 +13,8 @@ use uchain_sim::{
     config::builtin,
     mathematics,
     mission::chain::{Course, Frame, McapRecorder},
-    record::{
-        RecordError, Recorder,
-        mcap::{End, Recording},
-    },
+    record::{RecordError, Recorder, mcap::End},
+    replay::Recording,
     run::run,
 };
 
@@ -219,7 +217,7 @@ fn another_versions_recording_is_named_as_such_before_anything_is_said_of_it() {
     let flown = uchain(here.path(), &["run", "corner", "--set", SHORT, "--quiet", "--out", "ours"]);
     assert_eq!(flown.status.code(), Some(0), "{}", stderr(&flown));
     let ours = fs::read(here.path().join("ours/run.mcap")).unwrap();
-    let scenario = Recording::read(ours.as_slice(), "memory").unwrap().about.scenario;
+    let scenario = Recording::<_, Course>::read(ours.as_slice(), "memory").unwrap().about.scenario;
     let write = |name: &str, file: Vec<u8>| fs::write(here.path().join(name), file).unwrap();
     let older = of_another_program(&ours, "version", "0.0.9");
     write("older.mcap", older.clone());
@@ -264,7 +262,7 @@ fn verify_names_foreign_mathematics_before_it_names_a_difference() {
     let flown = uchain(here.path(), &["run", "corner", "--set", SHORT, "--quiet", "--out", "ours"]);
     assert_eq!(flown.status.code(), Some(0), "{}", stderr(&flown));
     let ours = fs::read(here.path().join("ours/run.mcap")).unwrap();
-    let about = Recording::read(ours.as_slice(), "memory").unwrap().about;
+    let about = Recording::<_, Course>::read(ours.as_slice(), "memory").unwrap().about;
     assert_eq!(
         about.mathematics,
         Some(mathematics::fingerprint_of_libm()),
@@ -337,7 +335,7 @@ fn fifty_killed_runs_leave_fifty_readable_recordings() {
         child.kill().unwrap();
         child.wait().unwrap();
         let file = here.path().join("results/run.mcap");
-        let mut recording = Recording::open(&file).unwrap();
+        let mut recording = Recording::<_, Course>::open(&file).unwrap();
         recording.frames.play(&mut ()).unwrap();
         assert_eq!(recording.frames.end(), Some(End::CutShort), "kill {i}");
         ticks.push(recording.frames.tick());

@@ -2,7 +2,10 @@
 
 use uchain_core::explore::{Label, Purpose};
 use uchain_sim::{
-    mission::explore::{Exploration, ExploreFrame, ExploreHistory, Site, Stopped},
+    mission::{
+        Mission as _, Stopped,
+        explore::{Exploration, ExploreFrame, ExploreHistory, Site},
+    },
     record::{RecordError, Recorder},
 };
 
@@ -67,7 +70,7 @@ impl Inspector<'_> {
 
 fn inspect(name: &str, sets: &[&str], seed: u64) {
     let site = site(name, sets);
-    let mut exploration = Exploration::new(&site, seed).expect("a checked site");
+    let mut exploration = Exploration::start(site.clone(), seed);
     let mut inspector = Inspector {
         site: &site,
         told: ExploreHistory::default(),

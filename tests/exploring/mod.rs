@@ -9,18 +9,20 @@ mod strategies;
 mod table;
 mod vehicles;
 
+use std::sync::Arc;
+
 use uchain_sim::{
     config::builtin,
     mission::explore::{ExploreSummary, Site},
-    run::explore,
+    run::run,
 };
 
 /// A compiled-in exploration with keys set.
-fn site(name: &str, sets: &[&str]) -> Site {
+fn site(name: &str, sets: &[&str]) -> Arc<Site> {
     let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
     Site::read(&builtin(name).expect("a compiled-in scenario"), &sets).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn summary(site: &Site, seed: u64) -> ExploreSummary {
-    explore(site, seed, &mut ()).expect("a run").0
+fn summary(site: &Arc<Site>, seed: u64) -> ExploreSummary {
+    run(site, seed, &mut ()).expect("a run")
 }

@@ -1,5 +1,7 @@
 //! Doors and halls that stars may not look through: what is said of them before and after.
 
+use std::sync::Arc;
+
 use std::{f32::consts::TAU, fmt::Write as _};
 
 use glam::Vec2;
@@ -76,7 +78,7 @@ impl Place {
         Vec2::from_angle(self.turn_rad).rotate(Vec2::new(x_m, y_m))
     }
 
-    fn site(&self, more: &[String]) -> Site {
+    fn site(&self, more: &[String]) -> Arc<Site> {
         let Self { length_m: l, sides_m: [ax, ay, bx, by], up_m: [p, q], .. } = *self;
         let (low, high) = (-self.width_m / 2.0, self.width_m / 2.0);
         let (near, far) = (low - p, low - q);
@@ -107,7 +109,7 @@ impl Place {
 
     /// Whether a star from a place in the passage or straight in front of it has a sector through it without a
     /// return, at whose end a robot would have room.
-    fn shows_through(&self, site: &Site, from: [f32; 2]) -> bool {
+    fn shows_through(&self, site: &Arc<Site>, from: [f32; 2]) -> bool {
         let at = site.map.to_local(self.turned(from).to_array().map(f64::from));
         let room_m = self.width_m / 2.0 - R_BODY_M;
         let mut returns_m = Vec::new();

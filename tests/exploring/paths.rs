@@ -2,9 +2,12 @@
 
 use uchain_sim::{
     map::{Unknown, read_ros},
-    mission::explore::{ExploreFrame, ExploreHistory, RosMap, Stopped},
+    mission::{
+        Stopped,
+        explore::{ExploreFrame, ExploreHistory, RosMap},
+    },
     record::{RecordError, Recorder},
-    run::explore,
+    run::run,
 };
 
 use super::{site, summary};
@@ -13,7 +16,7 @@ use super::{site, summary};
 fn the_same_seed_gives_the_same_exploration_whoever_watches_and_on_whatever_thread() {
     let site = site("apartment", &["explore.position_sigma_m=0.01", "explore.strategy=cssg-random"]);
     let alone = summary(&site, 5);
-    assert_eq!(alone, explore(&site, 5, &mut ExploreHistory::default()).unwrap().0);
+    assert_eq!(alone, run(&site, 5, &mut ExploreHistory::default()).unwrap());
     std::thread::scope(|scope| {
         let runs = [(); 2].map(|()| scope.spawn(|| summary(&site, 5)));
         for other in runs {
@@ -35,7 +38,7 @@ impl Recorder<ExploreFrame> for Stop {
 
 #[test]
 fn a_recorder_can_end_an_exploration_and_the_time_can_be_up() {
-    let error = explore(&site("corridors", &[]), 1, &mut Stop(0)).unwrap_err();
+    let error = run(&site("corridors", &[]), 1, &mut Stop(0)).unwrap_err();
     assert_eq!(error.to_string(), "interrupted at 5.0 s of simulated time");
     let short = summary(&site("corridors", &["duration_s=20"]), 1);
     assert_eq!((short.stopped, short.sim_s), (Some(Stopped::Time), 20.0));
@@ -82,7 +85,7 @@ fn robots_that_know_their_place_to_2_cm_see_everything_and_come_home() {
 fn the_explored_map_loads_back_as_a_ros_map() {
     let site = site("apartment", &[]);
     let mut history = ExploreHistory::default();
-    explore(&site, 1, &mut history).unwrap();
+    run(&site, 1, &mut history).unwrap();
     let written = RosMap::explored(&site.map, site.ground(), &history.nodes, 1.0);
     let folder = tempfile::tempdir().unwrap();
     let yaml = folder.path().join("map.yaml");

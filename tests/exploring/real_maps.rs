@@ -5,7 +5,7 @@ use std::path::Path;
 use uchain_sim::{
     analyse::Outcome,
     config::Source,
-    mission::explore::{Site, Stopped},
+    mission::{Stopped, explore::Site},
 };
 
 use super::summary;

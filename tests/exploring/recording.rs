@@ -1,13 +1,18 @@
 //! What is recorded of an exploration can be read again, bit for bit.
 
+use std::sync::Arc;
+
 use uchain_sim::{
-    mission::explore::{ExploreFrame, ExploreHistory, ExploreRecorder, Site},
+    mission::{
+        chain::{Course, McapRecorder},
+        explore::{ExploreFrame, ExploreHistory, ExploreRecorder, Site},
+    },
     record::{
         RecordError, Recorder,
-        mcap::{End, ReadError, Recording},
+        mcap::{End, ReadError},
     },
-    replay,
-    run::explore,
+    replay::{self, Recording},
+    run::{self, run},
 };
 
 use super::site;
@@ -23,15 +28,15 @@ impl Recorder<ExploreFrame> for All {
     }
 }
 
-fn recorded(site: &Site, seed: u64) -> (Vec<u8>, Vec<ExploreFrame>) {
+fn recorded(site: &Arc<Site>, seed: u64) -> (Vec<u8>, Vec<ExploreFrame>) {
     let mut both = (ExploreRecorder::start(Vec::new(), site, seed).unwrap(), All::default());
-    explore(site, seed, &mut both).unwrap();
+    run(site, seed, &mut both).unwrap();
     (both.0.finish().unwrap(), both.1.0)
 }
 
 /// How a file ends, or why it is refused, and after how many frames; all of them are those that were written.
 fn read(file: &[u8], written: &[ExploreFrame]) -> (Result<End, ReadError>, usize) {
-    let mut recording = match Recording::read_exploration(file, "memory") {
+    let mut recording = match Recording::<_, Site>::read(file, "memory") {
         Ok(recording) => recording,
         Err(error) => return (Err(error), 0),
     };
@@ -55,19 +60,22 @@ fn a_recorded_exploration_has_the_summary_and_the_picture_of_the_one_that_was_fl
     ] {
         let site = site(name, sets);
         let mut both = (ExploreRecorder::start(Vec::new(), &site, 2).unwrap(), ExploreHistory::default());
-        let flown = explore(&site, 2, &mut both).unwrap();
-        assert_eq!(flown.0, explore(&site, 2, &mut ()).unwrap().0, "recording changes nothing");
+        let flown = run::fly(&site, 2, &mut both).unwrap();
+        assert_eq!(flown.0, run(&site, 2, &mut ()).unwrap(), "recording changes nothing");
         let file = both.0.finish().unwrap();
 
-        let mut recording = Recording::read_exploration(file.as_slice(), "memory").unwrap();
-        let again = recording.site().unwrap();
+        let mut recording = Recording::<_, Site>::read(file.as_slice(), "memory").unwrap();
+        let again = recording.scene().unwrap();
         assert_eq!(again.scenario, site.scenario);
         let mut history = ExploreHistory::default();
-        let (summary, survey) = recording.summary(&again, &mut history).unwrap();
+        let (summary, metrics) = recording.play(&again, &mut history).unwrap();
         assert_eq!(summary, flown.0);
+        let survey = metrics.survey();
         let picture = uchain_sim::mission::explore::explore_png(&again, &history, &survey, &summary).unwrap();
         assert!(
-            picture == uchain_sim::mission::explore::explore_png(&site, &both.1, &flown.1, &flown.0).unwrap(),
+            picture
+                == uchain_sim::mission::explore::explore_png(&site, &both.1, &flown.1.survey(), &flown.0)
+                    .unwrap(),
             "another picture"
         );
     }
@@ -109,19 +117,18 @@ impl Recorder<ExploreFrame> for Tamper {
 fn verify_finds_a_planted_ulp_of_an_exploration_and_diff_where_two_part() {
     let site = site("apartment", &["duration_s=60"]);
     let (file, _) = recorded(&site, 1);
-    let verify = |file: &[u8]| {
-        replay::verify_exploration(&mut Recording::read_exploration(file, "memory").unwrap()).unwrap()
-    };
+    let verify =
+        |file: &[u8]| replay::verify(&mut Recording::<_, Site>::read(file, "memory").unwrap()).unwrap();
     let verdict = verify(&file);
     assert!(verdict.agrees() && (verdict.ticks, verdict.of) == (1200, 1200), "{verdict:?}");
 
     let mut tamper = Tamper(ExploreRecorder::start(Vec::new(), &site, 1).unwrap());
-    explore(&site, 1, &mut tamper).unwrap();
+    run(&site, 1, &mut tamper).unwrap();
     let other = tamper.0.finish().unwrap();
     let found = verify(&other).first.unwrap();
     assert!(found.to_string().starts_with("tick 777 (38.85 s), robot 1, x_m: "), "{found}");
 
-    let open = |file| Recording::read_exploration(file, "memory").unwrap();
+    let open = |file| Recording::<_, Site>::read(file, "memory").unwrap();
     let (mut here, mut there) = (open(file.as_slice()), open(other.as_slice()));
     let comparison = replay::diff(&mut here.frames, &mut there.frames).unwrap();
     assert_eq!((comparison.ticks, comparison.differing), (1200, 1));
@@ -135,6 +142,14 @@ fn verify_finds_a_planted_ulp_of_an_exploration_and_diff_where_two_part() {
 #[test]
 fn an_exploration_is_not_read_as_a_chain_nor_a_chain_as_an_exploration() {
     let (file, _) = recorded(&site("apartment", &["duration_s=1"]), 1);
-    let said = Recording::read(file.as_slice(), "memory").unwrap_err().to_string();
-    assert_eq!(said, "a recording of an exploration: expected one of a chain");
+    let said =
+        Recording::<_, Course>::read(file.as_slice(), "memory").unwrap().scene().unwrap_err().to_string();
+    assert!(said.contains("this is an exploration; expected a chain"), "{said}");
+    let course = crate::course("corner", &["duration_s=1"]);
+    let mut recorder = McapRecorder::start(Vec::new(), &course, 1).unwrap();
+    run(&course, 1, &mut recorder).unwrap();
+    let file = recorder.finish().unwrap();
+    let said =
+        Recording::<_, Site>::read(file.as_slice(), "memory").unwrap().scene().unwrap_err().to_string();
+    assert!(said.contains("belongs to a chain"), "{said}");
 }

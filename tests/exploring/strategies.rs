@@ -6,8 +6,13 @@ use uchain_core::explore::Strategy;
 use uchain_sim::{
     analyse::Estimate,
     config::builtin,
-    mission::explore::{ExploreSummary, Stopped},
-    sweep::{Design, DesignText, Flown, Sweep, fly},
+    mission::{
+        Stopped,
+        explore::{ExploreSummary, Site},
+    },
+    registry::AnyScene,
+    run::run,
+    sweep::{Design, DesignText, Sweep},
 };
 
 /// Maps, and how many robots explore them.
@@ -20,11 +25,8 @@ fn explored(map: &str, robots: &str) -> Vec<Vec<ExploreSummary>> {
     let vary = vec![format!("explore.strategy={strategies}"), format!("explore.robots={robots}")];
     let design = Design::parse(&DesignText { vary, table: None }, "").unwrap();
     let sweep = Sweep::new(builtin(map).unwrap(), Vec::new(), design, SEEDS, 1).unwrap();
-    let summary = |flown| match flown {
-        Flown::Explore(summary) => summary,
-        Flown::Chain(_) => panic!("{map} is no exploration"),
-    };
-    let runs = sweep.each(|mission, run| fly(mission, run.seed, &mut ()).map(summary));
+    let site = |scene: &dyn AnyScene| scene.get::<Site>().expect("an exploration").clone();
+    let runs = sweep.each(|scene, one| run(&site(scene), one.seed, &mut ()));
     let runs: Vec<ExploreSummary> = runs.into_iter().map(|run| run.unwrap().unwrap()).collect();
     runs.chunks(SEEDS as usize).map(<[_]>::to_vec).collect()
 }

@@ -1,9 +1,14 @@
 //! The comparison of strategies (Kim 2021, §7.2): 1 to 6 robots, three strategies, two maps, 20 seeds.
 
+use std::sync::Arc;
+
 use std::fmt::Write as _;
 
 use uchain_core::explore::Strategy;
-use uchain_sim::mission::explore::{ExploreSummary, Site, Stopped};
+use uchain_sim::mission::{
+    Stopped,
+    explore::{ExploreSummary, Site},
+};
 
 use super::{site, summary};
 
@@ -29,7 +34,7 @@ struct Row {
 
 /// All runs, by map, strategy, robots and seed; shared out over threads, in that order.
 fn runs() -> Vec<Vec<ExploreSummary>> {
-    let mut sites: Vec<Site> = Vec::new();
+    let mut sites: Vec<Arc<Site>> = Vec::new();
     for map in MAPS {
         for strategy in STRATEGIES {
             for robots in ROBOTS {
@@ -38,7 +43,7 @@ fn runs() -> Vec<Vec<ExploreSummary>> {
             }
         }
     }
-    let all = |site: &Site| (1..=SEEDS).map(|seed| summary(site, seed)).collect::<Vec<_>>();
+    let all = |site: &Arc<Site>| (1..=SEEDS).map(|seed| summary(site, seed)).collect::<Vec<_>>();
     let threads = std::thread::available_parallelism().map_or(2, std::num::NonZero::get);
     let mut rows: Vec<(usize, Vec<ExploreSummary>)> = std::thread::scope(|scope| {
         let sites = &sites;

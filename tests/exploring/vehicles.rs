@@ -1,8 +1,13 @@
 //! What a team decides does not depend on what it flies; what happens on the way does.
 
+use std::sync::Arc;
+
 use uchain_core::explore::{Purpose, Target};
 use uchain_sim::{
-    mission::explore::{Exploration, ExploreFrame, ExploreSummary, Site, Stopped, VehicleKind},
+    mission::{
+        Mission as _, Stopped,
+        explore::{Exploration, ExploreFrame, ExploreSummary, Site, VehicleKind},
+    },
     record::{RecordError, Recorder},
 };
 
@@ -30,8 +35,8 @@ impl Recorder<ExploreFrame> for Last {
     }
 }
 
-fn rounds(site: &Site, seed: u64) -> (Vec<Round>, Stopped) {
-    let mut exploration = Exploration::new(site, seed).expect("a checked site");
+fn rounds(site: &Arc<Site>, seed: u64) -> (Vec<Round>, Stopped) {
+    let mut exploration = Exploration::start(site.clone(), seed);
     let (mut rounds, mut last) = (Vec::new(), Last::default());
     loop {
         let stopped = exploration.step(&mut last).expect("nobody stops it");
@@ -48,7 +53,7 @@ fn rounds(site: &Site, seed: u64) -> (Vec<Round>, Stopped) {
 }
 
 /// A map flown by one vehicle, with starts that depend on the seed.
-fn flown_by(map: &str, vehicle: &str, more: &[&str]) -> Site {
+fn flown_by(map: &str, vehicle: &str, more: &[&str]) -> Arc<Site> {
     let vehicle = format!("explore.vehicle={vehicle}");
     site(map, &[&["explore.scatter_m=0.02", &vehicle], more].concat())
 }

@@ -7,6 +7,7 @@ use std::{ffi::OsString, path::PathBuf, process::ExitCode};
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
+use uchain_sim::registry::Registry;
 
 use crate::{
     exit::{self, Exit},
@@ -110,14 +111,17 @@ pub(crate) fn grammar() -> clap::Command {
 }
 
 /// Parses a command line; the first argument is the program's name.
-pub(crate) fn parse(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> Parsed {
+pub(crate) fn parse(
+    registry: Registry,
+    args: impl IntoIterator<Item = impl Into<OsString> + Clone>,
+) -> Parsed {
     let args: Vec<OsString> = args.into_iter().map(Into::into).collect();
     match grammar().try_get_matches_from(&args).and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => Parsed::Command(cli.command),
         Err(answer) => {
             let exit = if answer.use_stderr() { Exit::Usage } else { Exit::Ok };
             // A reader that went away has seen enough.
-            let _ = advise::advise(answer, &args).print();
+            let _ = advise::advise(registry, answer, &args).print();
             Parsed::Answered(exit.code())
         }
     }

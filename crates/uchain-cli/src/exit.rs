@@ -15,7 +15,7 @@ use uchain_sim::{
         RecordError,
         mcap::{About, PlayError, ReadError},
     },
-    run::RunError,
+    registry::FlightError,
     sweep::{DesignError, folder::FolderError},
 };
 
@@ -92,12 +92,14 @@ pub(crate) enum Failure {
     Json(#[from] serde_json::Error),
     #[error(transparent)]
     Draw(#[from] DrawError),
+    #[error(transparent)]
+    Flight(FlightError),
     #[error("cannot write to standard output: {0}")]
     Stdout(io::Error),
     #[error("{0}; nothing was written")]
-    Run(#[from] RunError),
+    Run(#[from] RecordError),
     #[error("{error}; {} holds the flight up to there", recording.display())]
-    Cut { error: RunError, recording: PathBuf },
+    Cut { error: RecordError, recording: PathBuf },
     #[error("{}: {cause}", file.display())]
     WriteRecording { file: PathBuf, cause: RecordError },
     #[error("{}: {cause}", file.display())]
@@ -119,6 +121,16 @@ pub(crate) enum Failure {
     Incomplete(FolderError),
     #[error("run {run} differs: its digest was {then}, now it is {now}")]
     Otherwise { run: u64, then: String, now: String },
+}
+
+impl From<FlightError> for Failure {
+    fn from(error: FlightError) -> Self {
+        match error {
+            FlightError::Draw(error) => Self::Draw(error),
+            FlightError::Json(error) => Self::Json(error),
+            error @ FlightError::NotFlown => Self::Flight(error),
+        }
+    }
 }
 
 impl From<DesignError> for Failure {
@@ -175,7 +187,7 @@ impl Failure {
     pub(crate) fn played(file: &Path, about: &About, cause: PlayError) -> Self {
         match cause {
             PlayError::Read(cause) => Self::refused(file, about, cause),
-            PlayError::Record(cause) => Self::Run(cause.into()),
+            PlayError::Record(cause) => Self::Run(cause),
         }
     }
 
@@ -194,14 +206,15 @@ impl Failure {
             | Self::Folder { .. } => Exit::Usage,
             Self::Interrupted
             | Self::Incomplete(FolderError::Interrupted)
-            | Self::Run(RunError::Record(RecordError::Interrupted { .. }))
-            | Self::Cut { error: RunError::Record(RecordError::Interrupted { .. }), .. } => Exit::Interrupted,
+            | Self::Run(RecordError::Interrupted { .. })
+            | Self::Cut { error: RecordError::Interrupted { .. }, .. } => Exit::Interrupted,
             Self::Differ | Self::Otherwise { .. } => Exit::Differ,
             Self::Sweep(error) => sweep_exit(error),
             Self::Write { .. }
             | Self::Json(_)
             | Self::Draw(_)
             | Self::Stdout(_)
+            | Self::Flight(_)
             | Self::Paper(_)
             | Self::Run(_)
             | Self::Cut { .. }

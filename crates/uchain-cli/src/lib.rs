@@ -12,7 +12,6 @@ mod output;
 mod paper;
 mod plan;
 mod recording;
-mod report;
 mod sweep;
 mod teach;
 
@@ -25,7 +24,7 @@ use std::{
 
 use uchain_sim::{
     config::{ConfigError, PRESETS, Preset, Source, builtin, builtin_names},
-    mission::{Mission, describe},
+    registry::{AnyScene, Registry},
 };
 
 use args::{Command, Parsed};
@@ -34,8 +33,16 @@ use exit::Failure;
 /// Runs one command line; the first argument is the program's name. Results go to stdout, all else to
 /// stderr. The exit codes are listed by `uchain --help`.
 pub fn main_with(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
-    let done = match args::parse(args) {
-        Parsed::Command(command) => execute(command),
+    main_with_missions(Registry::default(), args)
+}
+
+/// Like [`main_with`], for scenarios and recordings of these missions.
+pub fn main_with_missions(
+    registry: Registry,
+    args: impl IntoIterator<Item = impl Into<OsString> + Clone>,
+) -> ExitCode {
+    let done = match args::parse(registry, args) {
+        Parsed::Command(command) => execute(registry, command),
         Parsed::Answered(code) => return code,
     };
     match done {
@@ -43,7 +50,8 @@ pub fn main_with(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
         // What differs has been said.
         Err(failure @ Failure::Differ) => failure.exit().code(),
         Err(failure) => {
-            let hint = teach::hint(&failure).map(|hint| format!("hint: {hint}\n")).unwrap_or_default();
+            let hint =
+                teach::hint(registry, &failure).map(|hint| format!("hint: {hint}\n")).unwrap_or_default();
             // Nobody is left to tell when stderr is gone.
             let _ = io::stderr().write_all(format!("error: {failure}\n{hint}").as_bytes());
             failure.exit().code()
@@ -52,61 +60,45 @@ pub fn main_with(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
 }
 
 /// Runs the command that was parsed.
-fn execute(command: Command) -> Result<(), Failure> {
+fn execute(registry: Registry, command: Command) -> Result<(), Failure> {
     match command {
-        Command::Run(args) => fly::fly(&args),
-        Command::Inspect(args) => recording::inspect(&args),
-        Command::Verify(args) => recording::verify(&args),
-        Command::Diff(args) => recording::diff(&args),
-        Command::Sweep(args) => sweep::fly(&args),
-        Command::Merge(args) => sweep::merge(&args),
-        Command::Report(args) => sweep::report(&args),
-        Command::Repro(args) => sweep::repro(&args),
-        Command::Plan(args) => plan::compute(&args),
+        Command::Run(args) => fly::fly(registry, &args),
+        Command::Inspect(args) => recording::inspect(registry, &args),
+        Command::Verify(args) => recording::verify(registry, &args),
+        Command::Diff(args) => recording::diff(registry, &args),
+        Command::Sweep(args) => sweep::fly(registry, &args),
+        Command::Merge(args) => sweep::merge(registry, &args),
+        Command::Report(args) => sweep::report(registry, &args),
+        Command::Repro(args) => sweep::repro(registry, &args),
+        Command::Plan(args) => plan::compute(registry, &args),
         Command::Paper(args) => paper::regenerate(&args),
-        Command::List => print(&list()?),
+        Command::List => print(&list(registry)?),
         Command::Show { preset: Some(name), .. } => print(Preset::find(&name)?.text),
         Command::Show { scenario, .. } => print(&Source::find(&scenario.unwrap_or_default())?.text),
         Command::Check { scenario, sets, quiet } => {
-            let mission = Mission::read(&Source::find(&scenario)?, &sets.set)?;
-            quiet.report(|| checked(&mission))
+            let scene = registry.read(&Source::find(&scenario)?, &sets.set)?;
+            quiet.report(|| checked(&*scene))
         }
-        Command::Explain { key } => teach::explain(key.as_deref()),
-        Command::Schema => teach::schema(),
-        Command::Completions { shell } => teach::completions(shell),
+        Command::Explain { key } => teach::explain(registry, key.as_deref()),
+        Command::Schema => teach::schema(registry),
+        Command::Completions { shell } => teach::completions(registry, shell),
         Command::Man { out } => teach::man(out.as_deref()),
     }
 }
 
 /// What a scenario comes to, in one line.
-fn checked(mission: &Mission) -> String {
-    let (name, who, count, walls, duration_s) = match mission {
-        Mission::Chain(course) => {
-            let scenario = &course.scenario;
-            let preset = scenario.preset.as_ref().map(|name| format!(", preset {name}")).unwrap_or_default();
-            (
-                format!("{}{preset}", scenario.name),
-                "UAV",
-                course.spawns.len(),
-                &course.map,
-                scenario.duration_s,
-            )
-        }
-        Mission::Explore(site) => {
-            let scenario = &site.scenario;
-            (scenario.name.clone(), "robot", site.spawns.len(), &site.map, scenario.duration_s)
-        }
-    };
-    let (walls, s) = (walls.walls().len(), if count == 1 { "" } else { "s" });
-    let ok = format!("ok: {name}: {count} {who}{s}, {walls} walls, {duration_s} s\n");
-    mission.notes().iter().fold(ok, |text, words| text + "note: " + words + "\n")
+fn checked(scene: &dyn AnyScene) -> String {
+    let (title, robot, count) = (scene.title(), scene.robot(), scene.crew());
+    let (walls, s) = (scene.map().walls().len(), if count == 1 { "" } else { "s" });
+    let ok = format!("ok: {title}: {count} {robot}{s}, {walls} walls, {} s\n", scene.duration_s());
+    scene.notes().iter().fold(ok, |text, words| text + "note: " + words + "\n")
 }
 
 /// Name and description of every scenario and preset that is compiled in.
-fn list() -> Result<String, ConfigError> {
+fn list(registry: Registry) -> Result<String, ConfigError> {
     let mut entries = Vec::new();
     for source in builtin_names().iter().filter_map(|name| builtin(name)) {
-        let about = describe(&source, &[])?;
+        let about = registry.describe(&source, &[])?;
         entries.push((about.name, about.description));
     }
     for preset in PRESETS {

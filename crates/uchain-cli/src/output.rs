@@ -49,7 +49,7 @@ impl Names {
     }
 }
 
-/// What `uchain run` leaves of a chain.
+/// What `uchain run` leaves, beside what the mission has to show.
 pub(crate) const RUN: Names = Names {
     numbers: "summary.json",
     picture: "run.png",
@@ -57,8 +57,6 @@ pub(crate) const RUN: Names = Names {
     others: &[],
     replaces: OF_A_RUN,
 };
-/// What `uchain run` leaves of an exploration: besides, the explored map as a ROS map, and where robots were over time.
-pub(crate) const EXPLORE: Names = Names { others: &["map.pgm", "map.yaml", "states.png"], ..RUN };
 /// What `uchain plan` leaves.
 pub(crate) const PLAN: Names = Names {
     numbers: "plan.json",
@@ -71,7 +69,7 @@ pub(crate) const PLAN: Names = Names {
 pub(crate) const INSPECT: Names =
     Names { numbers: "inspect.json", recording: None, replaces: &["inspect.json", "run.png"], ..RUN };
 
-const ALL: [&Names; 4] = [&RUN, &EXPLORE, &PLAN, &INSPECT];
+const ALL: [&Names; 3] = [&RUN, &PLAN, &INSPECT];
 
 /// How names of files start that are not finished yet.
 const UNFINISHED: &str = ".uchain-";
@@ -137,7 +135,8 @@ impl Folder {
         for entry in entries {
             let name = entry.map_err(refuse)?.file_name();
             let name = name.to_string_lossy();
-            let is_ours = ALL.iter().any(|names| names.hold(&name))
+            let is_ours = OF_A_RUN.contains(&&*name)
+                || ALL.iter().any(|names| names.hold(&name))
                 || papers::leaves(&name)
                 || name.starts_with(UNFINISHED);
             if !is_ours && !force {

@@ -1,15 +1,17 @@
 //! Experiments: a scenario flown with every combination of some values (a factorial design), several replicates of each,
 //! on all processors, results in memory.
 
+use std::sync::Arc;
+
 use uchain_sim::{
     config::{Source, builtin},
     draw::{DrawError, Picture},
     mission::{
-        Mission,
         chain::{Course, History, Summary, run_picture},
         explore::Site,
     },
-    run::RunError,
+    record::RecordError,
+    registry::AnyScene,
     sweep::{Design, DesignText, Run, Sweep},
 };
 
@@ -40,13 +42,13 @@ pub(crate) fn inline_scenario(name: &str, text: String) -> Source {
 /// A run with the frames that its picture is drawn from.
 #[derive(Debug)]
 pub(crate) struct RecordedRun {
-    course: Course,
+    course: Arc<Course>,
     history: History,
     summary: Summary,
 }
 
 impl RecordedRun {
-    pub(crate) fn new(course: &Course, history: History, summary: &Summary) -> Self {
+    pub(crate) fn new(course: &Arc<Course>, history: History, summary: &Summary) -> Self {
         Self { course: course.clone(), history, summary: summary.clone() }
     }
 
@@ -58,7 +60,7 @@ impl RecordedRun {
 /// Does something with every run; results by variant, then by replicate. The first run that fails fails all.
 fn each<T: Send>(
     experiment: Experiment<'_>,
-    work: impl Fn(&Mission, Run) -> Option<Result<T, RunError>> + Sync,
+    work: impl Fn(&dyn AnyScene, Run) -> Option<Result<T, RecordError>> + Sync,
 ) -> Result<Vec<Vec<T>>, PaperError> {
     let design = Design::parse(&DesignText { vary: experiment.vary.to_vec(), table: None }, "")?;
     let sets = experiment.sets.iter().map(|set| (*set).to_owned()).collect();
@@ -87,21 +89,15 @@ fn each<T: Send>(
 /// [`each`] run of a chain.
 pub(crate) fn chains<T: Send>(
     experiment: Experiment<'_>,
-    work: impl Fn(&Course, Run) -> Result<T, RunError> + Sync,
+    work: impl Fn(&Arc<Course>, Run) -> Result<T, RecordError> + Sync,
 ) -> Result<Vec<Vec<T>>, PaperError> {
-    each(experiment, |mission, run| match mission {
-        Mission::Chain(course) => Some(work(course, run)),
-        Mission::Explore(_) => None,
-    })
+    each(experiment, |scene, run| scene.get::<Course>().map(|course| work(course, run)))
 }
 
 /// [`each`] run of an exploration.
 pub(crate) fn explorations<T: Send>(
     experiment: Experiment<'_>,
-    work: impl Fn(&Site, Run) -> Result<T, RunError> + Sync,
+    work: impl Fn(&Arc<Site>, Run) -> Result<T, RecordError> + Sync,
 ) -> Result<Vec<Vec<T>>, PaperError> {
-    each(experiment, |mission, run| match mission {
-        Mission::Chain(_) => None,
-        Mission::Explore(site) => Some(work(site, run)),
-    })
+    each(experiment, |scene, run| scene.get::<Site>().map(|site| work(site, run)))
 }

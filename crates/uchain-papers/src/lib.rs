@@ -19,7 +19,7 @@ mod report;
 
 use std::sync::OnceLock;
 
-use uchain_sim::{draw::DrawError, run::RunError, sweep::DesignError};
+use uchain_sim::{draw::DrawError, record::RecordError, sweep::DesignError};
 
 use laclau2021::Exploration;
 
@@ -49,7 +49,7 @@ pub enum PaperError {
     },
     /// A single run did not come to its end.
     #[error(transparent)]
-    Single(#[from] RunError),
+    Single(#[from] RecordError),
     /// No picture.
     #[error(transparent)]
     Draw(#[from] DrawError),

@@ -19,6 +19,7 @@ pub mod mathematics;
 pub mod mission;
 pub mod radio;
 pub mod record;
+pub mod registry;
 #[cfg(feature = "record")]
 pub mod replay;
 pub mod run;

@@ -1,78 +1,57 @@
-//! One run, whole: a function of (scenario, seed).
+//! One run, whole: a function of scene and seed.
+
+use std::sync::Arc;
 
 use crate::{
     analyse::Digest,
-    clock::total_ticks,
-    mission::{
-        chain::{Course, Metrics, Sim, Summary},
-        explore::{Exploration, ExploreFrame, ExploreMetrics, ExploreSummary, Site, Survey},
-    },
+    mission::{Metrics, Mission, Scene},
     record::{RecordError, Recorder},
 };
 
-/// Why a run ended before its time.
-#[derive(Debug, thiserror::Error)]
-pub enum RunError {
-    /// The recorder asked for it.
-    #[error(transparent)]
-    Record(#[from] RecordError),
-    /// Parameters outside their ranges; a site that was read has none.
-    #[error("the site's parameters are out of range")]
-    Params,
-}
+/// The frames of the mission that is flown in a scene.
+pub type FrameOf<S> = <<S as Scene>::Mission as Mission>::Frame;
+/// What sums a run in a scene up.
+pub type MetricsOf<S> = <<S as Scene>::Mission as Mission>::Metrics;
+/// What a run in a scene comes to.
+pub type SummaryOf<S> = <<S as Scene>::Mission as Mission>::Summary;
 
-/// Flies a mission from its first tick to its last and says what it came to. The recorder is shown every
-/// frame and changes none.
+/// Flies a mission from its first tick until it is over and says what it came to. The recorder is shown every frame and
+/// changes none.
 ///
 /// # Errors
 /// Only what the recorder returns.
 ///
 /// ```
 /// use uchain_libm as _; // the same bits on every system
-/// use uchain_sim::{mission::chain::{Course, Scenario}, config::builtin, run::run};
-/// let source = builtin("straight").unwrap();
-/// let scenario = Scenario::parse(&source, &["duration_s=5".into()]).unwrap();
-/// let course = Course::lay(scenario, &source).unwrap();
+/// use uchain_sim::{config::builtin, mission::{chain::Course, explore::Site}, run::run};
+/// let course = Course::read(&builtin("straight").unwrap(), &["duration_s=5".into()]).unwrap();
 /// let (once, again) = (run(&course, 1, &mut ()).unwrap(), run(&course, 1, &mut ()).unwrap());
 /// assert_eq!(once.digest, again.digest);
 /// assert_ne!(once.digest, run(&course, 2, &mut ()).unwrap().digest);
+///
+/// let site = Site::read(&builtin("apartment").unwrap(), &["duration_s=20".into()]).unwrap();
+/// let (once, again) = (run(&site, 1, &mut ()).unwrap(), run(&site, 1, &mut ()).unwrap());
+/// assert_eq!(once, again);
 /// ```
-pub fn run(
-    course: &Course,
+pub fn run<S: Scene>(
+    scene: &Arc<S>,
     seed: u64,
-    recorder: &mut impl Recorder<crate::mission::chain::Frame>,
-) -> Result<Summary, RunError> {
-    let mut sim = Sim::new(course, seed);
-    let mut metrics = Metrics::new(course);
-    let mut digest = Digest::default();
-    for _ in 0..total_ticks(course.scenario.duration_s) {
-        sim.step(&mut ((&mut metrics, &mut digest), &mut *recorder))?;
-    }
-    Ok(metrics.summary(seed, digest.hex()))
+    recorder: &mut impl Recorder<FrameOf<S>>,
+) -> Result<SummaryOf<S>, RecordError> {
+    fly(scene, seed, recorder).map(|(summary, _)| summary)
 }
 
-/// Explores from the first tick until all are home, and says what it came to. The recorder is shown every frame and
-/// changes none.
+/// Like [`run`], and gives what summed it up: it may know more than the summary, for pictures.
 ///
 /// # Errors
-/// Only what the recorder returns, for a site that was read.
-///
-/// ```
-/// use uchain_libm as _; // the same bits on every system
-/// use uchain_sim::{mission::explore::Site, config::builtin, run::explore};
-/// let site = Site::read(&builtin("apartment").unwrap(), &["duration_s=20".into()]).unwrap();
-/// let (once, again) = (explore(&site, 1, &mut ()).unwrap().0, explore(&site, 1, &mut ()).unwrap().0);
-/// assert_eq!(once, again);
-/// assert_ne!(once.digest, explore(&site, 2, &mut ()).unwrap().0.digest);
-/// ```
-pub fn explore(
-    site: &Site,
+/// Those of [`run`].
+pub fn fly<S: Scene>(
+    scene: &Arc<S>,
     seed: u64,
-    recorder: &mut impl Recorder<ExploreFrame>,
-) -> Result<(ExploreSummary, Survey), RunError> {
-    let mut exploration = Exploration::new(site, seed).ok_or(RunError::Params)?;
-    let mut metrics = ExploreMetrics::new(site);
-    let mut digest = Digest::default();
-    while exploration.step(&mut ((&mut metrics, &mut digest), &mut *recorder))?.is_none() {}
-    Ok(metrics.finish(seed, digest.hex()))
+    recorder: &mut impl Recorder<FrameOf<S>>,
+) -> Result<(SummaryOf<S>, MetricsOf<S>), RecordError> {
+    let mut mission = S::Mission::start(scene.clone(), seed);
+    let (mut metrics, mut digest) = (MetricsOf::<S>::of(scene.clone()), Digest::default());
+    while mission.step(&mut ((&mut metrics, &mut digest), &mut *recorder))?.is_none() {}
+    Ok((metrics.sum_up(seed, digest.hex()), metrics))
 }

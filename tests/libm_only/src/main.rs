@@ -5,7 +5,7 @@ use std::{env, error::Error, process::ExitCode};
 
 // Brings the program its own exp, sin and log, for what rapier and parry ask of the system.
 use uchain_libm as _;
-use uchain_sim::{mission::Mission, config::Source, mathematics, run::{explore, run}};
+use uchain_sim::{mission::Mission, config::Source, mathematics, run::run};
 
 fn main() -> ExitCode {
     let args: Vec<String> = env::args().skip(1).collect();

@@ -8,21 +8,23 @@ use clap::{
 };
 use uchain_sim::{
     config::{builtin, kind_of_map},
-    mission,
+    registry::Registry,
 };
 
 /// A usage error with a tip, if what was meant can be guessed.
-pub(super) fn advise(mut error: clap::Error, args: &[OsString]) -> clap::Error {
+pub(super) fn advise(registry: Registry, mut error: clap::Error, args: &[OsString]) -> clap::Error {
     let text = |kind: ContextKind| match error.get(kind) {
         Some(ContextValue::String(word)) => Some(word.as_str()),
         Some(ContextValue::Strings(words)) => words.first().map(String::as_str),
         _ => None,
     };
     let tip = match error.kind() {
-        ErrorKind::InvalidSubcommand => text(ContextKind::InvalidSubcommand).and_then(forgotten),
-        ErrorKind::UnknownArgument => {
-            text(ContextKind::InvalidArg).and_then(key_as_option).or_else(|| apart(args))
+        ErrorKind::InvalidSubcommand => {
+            text(ContextKind::InvalidSubcommand).and_then(|word| forgotten(registry, word))
         }
+        ErrorKind::UnknownArgument => text(ContextKind::InvalidArg)
+            .and_then(|key| key_as_option(registry, key))
+            .or_else(|| apart(registry, args)),
         ErrorKind::MissingRequiredArgument => text(ContextKind::InvalidArg).and_then(missing),
         _ => None,
     };
@@ -40,28 +42,28 @@ fn missing(argument: &str) -> Option<String> {
 }
 
 /// `--uavs` where there is no such option, only a key.
-fn key_as_option(argument: &str) -> Option<String> {
+fn key_as_option(registry: Registry, argument: &str) -> Option<String> {
     let word = argument.strip_prefix("--")?.split('=').next()?.replace('-', "_");
-    match mission::explain(&word).ok()?.as_slice() {
+    match registry.explain(&word).ok()?.as_slice() {
         [key] => Some(format!("a key of the scenario: --set {}=VALUE", key.key)),
         _ => None,
     }
 }
 
 /// `--set key value` and `--set key = value`.
-fn apart(args: &[OsString]) -> Option<String> {
+fn apart(registry: Registry, args: &[OsString]) -> Option<String> {
     let words: Vec<&str> = args.iter().filter_map(|arg| arg.to_str()).collect();
     let starts = words.iter().enumerate().filter(|(_, word)| **word == "--set");
     let mut pairs = starts.filter_map(|(start, _)| {
         let key = words.get(start + 1)?.trim_end_matches('=');
         let value = words.iter().skip(start + 2).find(|word| **word != "=")?;
-        let is_pair = mission::explain(key).is_ok() && !value.starts_with("--");
+        let is_pair = registry.explain(key).is_ok() && !value.starts_with("--");
         is_pair.then(|| format!("--set takes one word: --set {key}={}", value.trim_start_matches('=')))
     });
     pairs.next()
 }
 
-fn forgotten(word: &str) -> Option<String> {
+fn forgotten(registry: Registry, word: &str) -> Option<String> {
     if kind_of_map(Path::new(word)).is_some() {
         return Some(format!("to plan for a map: uchain plan {word} --base=X,Y --goal=X,Y"));
     }
@@ -69,7 +71,7 @@ fn forgotten(word: &str) -> Option<String> {
     if is_scenario {
         return Some(format!("to fly a scenario: uchain run {word}"));
     }
-    let is_key = !word.is_empty() && mission::explain(word).is_ok();
+    let is_key = !word.is_empty() && registry.explain(word).is_ok();
     is_key.then(|| format!("to read about a key: uchain explain {word}"))
 }
 

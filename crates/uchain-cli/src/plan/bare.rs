@@ -1,13 +1,11 @@
 //! What to plan for: a scenario, or a bare map made into one.
 
-use std::path::Path;
+use std::{path::Path, sync::Arc};
 
 use uchain_sim::{
     config::{ConfigError, Source, kind_of_map},
-    mission::{
-        self,
-        chain::{Course, PilotStep},
-    },
+    mission::chain::{Course, PilotStep},
+    registry::Registry,
 };
 
 use super::Plan;
@@ -25,14 +23,15 @@ struct Short {
 /// The tunnel with the speed asked for, and the UAVs at hand if anybody said how many. Nothing is flown, so nobody
 /// asks whether all of them find room to wait.
 #[expect(clippy::default_trait_access, reason = "the type of a pilot's `follow` is the core's")]
-pub(super) fn course(asked: &Plan) -> Result<(Course, Option<usize>), Failure> {
+pub(super) fn course(registry: Registry, asked: &Plan) -> Result<(Course, Option<usize>), Failure> {
     let key = key_of_file(&asked.what);
     let is_map = key.is_some();
     let source = if is_map { bare(asked)? } else { Source::find(&asked.what)? };
     let shorts = shorts(asked, key.as_deref());
     let typed = asked.sets.set.iter().cloned();
     let sets: Vec<String> = shorts.iter().map(|short| short.assignment.clone()).chain(typed).collect();
-    let mut course = mission::course(&source, &sets).map_err(|error| explain(error, asked, &shorts))?;
+    let scene = registry.chain(&source, &sets).map_err(|error| explain(error, asked, &shorts))?;
+    let mut course = Arc::unwrap_or_clone(scene);
 
     let uavs = asked.uavs.or((!is_map).then_some(course.scenario.chain.uavs));
     if let Some(speed_mps) = asked.speed {

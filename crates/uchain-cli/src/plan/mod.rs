@@ -7,7 +7,7 @@ mod table;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
-use uchain_sim::{map::Tunnel, mission::chain::plan};
+use uchain_sim::{map::Tunnel, mission::chain::plan, registry::Registry};
 
 use crate::{
     exit::Failure,
@@ -16,9 +16,9 @@ use crate::{
 pub(crate) use args::Plan;
 use table::{Steps, Table};
 
-pub(crate) fn compute(asked: &Plan) -> Result<(), Failure> {
+pub(crate) fn compute(registry: Registry, asked: &Plan) -> Result<(), Failure> {
     let spinner = spinner(asked.say.progress());
-    let (course, uavs) = bare::course(asked)?;
+    let (course, uavs) = bare::course(registry, asked)?;
     let folder = asked.out.folder(|| Folder::ours("plans", &output::folder_name(&asked.what), ""))?;
     let to_m = asked.to.or_else(|| course.tunnel.as_ref().map(Tunnel::length_m));
     let steps = Steps::new(to_m.unwrap_or(1.0), asked.step);

@@ -1,12 +1,8 @@
 //! `uchain diff`: two recordings side by side.
 
-use std::{fmt::Write as _, io::Read};
+use std::fmt::Write as _;
 
-use uchain_sim::{
-    record::Comparison,
-    record::mcap::{AnyRecording, Recordable, Recording},
-    replay,
-};
+use uchain_sim::{record::Comparison, registry::Registry, replay};
 
 use super::{Diff, open};
 use crate::exit::Failure;
@@ -14,33 +10,24 @@ use crate::exit::Failure;
 /// Most keys that are listed.
 const MOST_KEYS: usize = 30;
 
-pub(crate) fn diff(asked: &Diff) -> Result<(), Failure> {
-    match (open(&asked.here)?, open(&asked.there)?) {
-        (AnyRecording::Chain(here), AnyRecording::Chain(there)) => compare(asked, *here, *there),
-        (AnyRecording::Explore(here), AnyRecording::Explore(there)) => compare(asked, *here, *there),
-        _ => {
-            asked.quiet.report(|| "one is of a chain, the other of an exploration\n".to_owned())?;
-            Err(Failure::Differ)
-        }
-    }
-}
-
-fn compare<R: Read, F: Recordable>(
-    asked: &Diff,
-    mut here: Recording<R, F>,
-    mut there: Recording<R, F>,
-) -> Result<(), Failure> {
-    let comparison = replay::diff(&mut here.frames, &mut there.frames).map_err(|error| match error {
-        replay::DiffError::Here(cause) => Failure::refused(&asked.here, &here.about, cause),
-        replay::DiffError::There(cause) => Failure::refused(&asked.there, &there.about, cause),
+pub(crate) fn diff(registry: Registry, asked: &Diff) -> Result<(), Failure> {
+    let (mut here, mut there) = (open(registry, &asked.here)?, open(registry, &asked.there)?);
+    let comparison = here.diff(&mut *there).map_err(|error| match error {
+        replay::DiffError::Here(cause) => Failure::refused(&asked.here, here.about(), cause),
+        replay::DiffError::There(cause) => Failure::refused(&asked.there, there.about(), cause),
     })?;
+    let Some(comparison) = comparison else {
+        let (here, there) = (here.kind(), there.kind());
+        asked.quiet.report(|| format!("one is of {here}, the other of {there}\n"))?;
+        return Err(Failure::Differ);
+    };
 
     let mut text = String::new();
     let mut line = |words: &str| {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "{words}");
     };
-    let keys = here.about.differences(&there.about);
+    let keys = here.about().differences(there.about());
     for (key, a, b) in keys.iter().take(MOST_KEYS) {
         let shown = |value: &Option<String>| value.clone().unwrap_or_else(|| "not there".to_owned());
         line(&format!("{key}: {} and {}", shown(a), shown(b)));
@@ -48,7 +35,7 @@ fn compare<R: Read, F: Recordable>(
     if keys.len() > MOST_KEYS {
         line(&format!("… and {} more keys", keys.len() - MOST_KEYS));
     }
-    let ticks = (here.frames.tick(), there.frames.tick());
+    let ticks = (here.ticks(), there.ticks());
     if ticks.0 != ticks.1 {
         line(&format!("ticks: {} and {}", ticks.0, ticks.1));
     }

@@ -1,18 +1,13 @@
 //! Commands on recordings (`inspect`, `verify`, `diff`): their arguments, and how a recording is opened.
 
 mod diff;
-mod file_recorder;
 mod inspect;
 mod verify;
 
-use std::{
-    fs::File,
-    io::BufReader,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
-use uchain_sim::record::mcap::AnyRecording;
+use uchain_sim::registry::{AnyRecording, Registry};
 
 use crate::{
     exit::Failure,
@@ -21,7 +16,6 @@ use crate::{
 };
 
 pub(crate) use diff::diff;
-pub(crate) use file_recorder::{FileRecorder, end};
 pub(crate) use inspect::inspect;
 pub(crate) use verify::verify;
 
@@ -116,6 +110,6 @@ pub(crate) struct Diff {
     quiet: Quiet,
 }
 
-fn open(file: &Path) -> Result<AnyRecording<BufReader<File>>, Failure> {
-    AnyRecording::open(file).map_err(|cause| Failure::Recording { file: file.to_owned(), cause })
+fn open(registry: Registry, file: &Path) -> Result<Box<dyn AnyRecording>, Failure> {
+    registry.open(file).map_err(|cause| Failure::Recording { file: file.to_owned(), cause })
 }

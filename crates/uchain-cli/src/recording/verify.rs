@@ -2,26 +2,19 @@
 
 use uchain_sim::{
     mathematics::Foreign,
-    record::mcap::{About, AnyRecording, End},
-    replay,
+    record::mcap::{About, End},
+    registry::Registry,
 };
 
 use super::{Verify, open};
 use crate::exit::{Failure, OURS};
 
-pub(crate) fn verify(asked: &Verify) -> Result<(), Failure> {
-    let mut recording = open(&asked.file)?;
-    let about = match &recording {
-        AnyRecording::Chain(recording) => recording.about.clone(),
-        AnyRecording::Explore(recording) => recording.about.clone(),
-    };
+pub(crate) fn verify(registry: Registry, asked: &Verify) -> Result<(), Failure> {
+    let mut recording = open(registry, &asked.file)?;
+    let about = recording.about().clone();
     // Reasons come first, whatever is found.
     asked.quiet.report(|| reasons(&about))?;
-    let verdict = match &mut recording {
-        AnyRecording::Chain(recording) => replay::verify(recording),
-        AnyRecording::Explore(recording) => replay::verify_exploration(recording),
-    };
-    let verdict = verdict.map_err(|cause| Failure::refused(&asked.file, &about, cause))?;
+    let verdict = recording.verify().map_err(|cause| Failure::refused(&asked.file, &about, cause))?;
 
     if let Some(first) = verdict.first {
         let (place, here, there) = (first.place(), first.here, first.there);

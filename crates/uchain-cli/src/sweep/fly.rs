@@ -4,6 +4,7 @@ use std::path::Path;
 
 use uchain_sim::{
     config::Source,
+    registry::Registry,
     sweep::{
         self, Design, DesignText,
         folder::{Folder, FolderError, Job, Manifest, Shard, Totals},
@@ -17,13 +18,14 @@ use crate::{
     monitor::{interrupted, listen_for_interrupt},
 };
 
-pub(crate) fn fly(asked: &Sweep) -> Result<(), Failure> {
+pub(crate) fn fly(registry: Registry, asked: &Sweep) -> Result<(), Failure> {
     let source = Source::find(&asked.scenario)?;
     let text = DesignText::read(asked.vary.clone(), asked.design.as_deref())?;
     let label = asked.design.as_ref().map(|path| path.display().to_string()).unwrap_or_default();
     let design = Design::parse(&text, &label)?;
     let scenes = source.folder.clone();
-    let sweep = sweep::Sweep::new(source, asked.sets.set.clone(), design, asked.replicates, asked.seed)?;
+    let sweep =
+        sweep::Sweep::of(registry, source, asked.sets.set.clone(), design, asked.replicates, asked.seed)?;
     listen_for_interrupt();
     let (done, wall_s) = timed(|| on_threads(asked.threads, || work(asked, &sweep, &scenes)));
     let (folder, sweep, totals, is_complete) = done.map_err(FolderError::from)??;
@@ -41,7 +43,8 @@ fn work(
     if interrupted() {
         return Err(Failure::Interrupted);
     }
-    let folder = Folder::begin(&asked.out, Manifest::of(sweep, walls), scenes, asked.resume)?;
+    let folder = Folder::begin(&asked.out, Manifest::of(sweep, walls), scenes, asked.resume)?
+        .with_missions(sweep.registry());
     // From here on as the folder has it: a row says nothing of where the files lie that were read.
     let sweep = folder.sweep()?;
     match complete(asked, &folder, &sweep) {

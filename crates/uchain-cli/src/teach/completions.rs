@@ -4,15 +4,15 @@ use clap::{Arg, ValueHint, builder::PossibleValuesParser};
 use clap_complete::Shell;
 use uchain_sim::{
     config::{PRESETS, builtin_names},
-    mission,
+    registry::Registry,
 };
 
 use crate::{args::grammar, exit::Failure, print};
 
 /// The script knows the scenarios, presets and keys of this version. They are offered, not demanded: a path of a
 /// file is as good as the name of a scenario.
-pub(crate) fn completions(shell: Shell) -> Result<(), Failure> {
-    let keys = mission::explain("")?;
+pub(crate) fn completions(registry: Registry, shell: Shell) -> Result<(), Failure> {
+    let keys = registry.explain("")?;
     let keys: Vec<String> = keys.into_iter().filter(|key| !key.is_table).map(|key| key.key).collect();
     let assignments: Vec<String> = keys
         .iter()

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use uchain_sim::{
     config::help::{Explanation, Unit, Written},
-    mission,
+    registry::Registry,
 };
 
 use crate::{exit::Failure, print};
@@ -14,10 +14,10 @@ const WIDTH: usize = 100;
 /// Columns before a value.
 const INDENT: usize = 13;
 
-pub(crate) fn explain(key: Option<&str>) -> Result<(), Failure> {
+pub(crate) fn explain(registry: Registry, key: Option<&str>) -> Result<(), Failure> {
     // Copied from a file, or from --set.
     let key = key.unwrap_or_default().split('=').next().unwrap_or_default().trim();
-    let found = mission::explain(key.trim_matches(['[', ']']))?;
+    let found = registry.explain(key.trim_matches(['[', ']']))?;
     match found.as_slice() {
         [only] if !only.is_table => print(&card(only)),
         several => print(&list(several)),

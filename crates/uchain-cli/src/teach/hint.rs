@@ -4,7 +4,7 @@ use std::path::Path;
 
 use uchain_sim::{
     config::{ConfigError, Origin, Preset, builtin},
-    mission,
+    registry::Registry,
 };
 
 use crate::{args::grammar, exit::Failure};
@@ -13,7 +13,7 @@ const TOML: &str =
     "every line is key = value (text in \"quotes\", lists in [ ]) or a [table]; uchain show corner is one";
 
 /// What helps, if anything is known to.
-pub(crate) fn hint(failure: &Failure) -> Option<String> {
+pub(crate) fn hint(registry: Registry, failure: &Failure) -> Option<String> {
     let Failure::Input(error) = failure else { return None };
     match error {
         ConfigError::UnknownScenario { name, .. } => {
@@ -24,17 +24,17 @@ pub(crate) fn hint(failure: &Failure) -> Option<String> {
         ConfigError::UnknownPreset { name, .. } => {
             builtin(name).map(|_| format!("'{name}' is a scenario: uchain show {name}"))
         }
-        ConfigError::NoSuchKey { key, .. } => about_name(key).or_else(|| Some(about_key(key))),
+        ConfigError::NoSuchKey { key, .. } => about_name(key).or_else(|| Some(about_key(registry, key))),
         ConfigError::Read { label, .. } => {
             let name = Path::new(label).file_stem()?.to_str()?;
             builtin(name).map(|_| format!("'{name}', without folder and .toml, is built in"))
         }
         ConfigError::Syntax { at: Origin::Line { .. } | Origin::Whole { .. }, .. } => Some(TOML.to_owned()),
-        ConfigError::UnknownKey { key, .. } => Some(about_key(key)),
+        ConfigError::UnknownKey { key, .. } => Some(about_key(registry, key)),
         ConfigError::UnknownChoice { key, .. }
         | ConfigError::Missing { key, .. }
         | ConfigError::Invalid { key, .. } => {
-            mission::explain(key).is_ok().then(|| format!("what may stand there: uchain explain {key}"))
+            registry.explain(key).is_ok().then(|| format!("what may stand there: uchain explain {key}"))
         }
         ConfigError::NotText { .. }
         | ConfigError::TooLong { .. }
@@ -45,12 +45,12 @@ pub(crate) fn hint(failure: &Failure) -> Option<String> {
 }
 
 /// Where the keys are that stand beside this one.
-fn about_key(key: &str) -> String {
+fn about_key(registry: Registry, key: &str) -> String {
     let is_option = |arg: &clap::Arg| arg.get_long() == Some(key);
     if grammar().find_subcommand("run").is_some_and(|run| run.get_arguments().any(is_option)) {
         return format!("no key of a scenario but an option: uchain run NAME --{key}");
     }
-    match key.rsplit_once('.').filter(|(table, _)| mission::explain(table).is_ok()) {
+    match key.rsplit_once('.').filter(|(table, _)| registry.explain(table).is_ok()) {
         Some((table, _)) => format!("keys of {table}: uchain explain {table}"),
         None => "all keys: uchain explain".to_owned(),
     }

@@ -10,11 +10,11 @@ pub(crate) use explain::explain;
 pub(crate) use hint::hint;
 pub(crate) use man::man;
 
-use uchain_sim::mission;
+use uchain_sim::registry::Registry;
 
 use crate::{exit::Failure, print};
 
 /// `uchain schema`.
-pub(crate) fn schema() -> Result<(), Failure> {
-    print(&(serde_json::to_string_pretty(&mission::schema())? + "\n"))
+pub(crate) fn schema(registry: Registry) -> Result<(), Failure> {
+    print(&(serde_json::to_string_pretty(&registry.schema())? + "\n"))
 }

@@ -105,9 +105,9 @@ pub(super) fn add(outcome: &mut Outcome) -> Result<(), PaperError> {
              [[pilot]]\nstart_s = 0.0\nspeed_mps = 0.0\n"
         );
         let course = Course::read(&inline_scenario("formal", text), &[]).map_err(DesignError::from)?;
-        let Some(yardstick) = course.yardstick() else { continue };
-        let loss_db = |a_m: f64, b_m: f64| yardstick.loss_db(a_m.max(0.0), b_m);
-        let best_db = yardstick.optimum(head_m, LINKS).bottleneck_db;
+        let Some(optimum) = course.optimum() else { continue };
+        let loss_db = |a_m: f64, b_m: f64| optimum.loss_db(a_m.max(0.0), b_m);
+        let best_db = optimum.optimum(head_m, LINKS).bottleneck_db;
         let ends = parallel_map(STARTS, |start| run_from_random_start(case, start, best_db, &loss_db));
         let near = ends.iter().filter(|end| end.gap_db <= NEAR_DB).count();
         let most = |of: fn(&End) -> f64| ends.iter().map(of).fold(f64::NEG_INFINITY, f64::max);

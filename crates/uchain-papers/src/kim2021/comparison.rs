@@ -4,7 +4,7 @@ use uchain_sim::{
     analyse::{Estimate, saved_percent},
     draw::figure::{Axes, Figure, Mark},
     mission::explore::ExploreSummary,
-    run::explore,
+    run::run,
 };
 
 use crate::{
@@ -60,7 +60,7 @@ impl Comparison {
             format!("explore.robots={}", ROBOTS.map(|robots| robots.to_string()).join(",")),
         ];
         let experiment = Experiment { source: scenario(map), sets: &[], vary: &vary, replicates: REPLICATES };
-        let runs = explorations(experiment, |site, run| Ok(explore(site, run.seed, &mut ())?.0))?;
+        let runs = explorations(experiment, |site, one| run(site, one.seed, &mut ()))?;
         Ok(Self { map, runs })
     }
 

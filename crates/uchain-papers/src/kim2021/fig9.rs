@@ -1,10 +1,15 @@
 //! Kim 2021, Fig. 9: three robots explore an apartment.
 
+use std::sync::Arc;
+
 use uchain_sim::{
     draw::Picture,
-    mission::explore::{Exploration, ExploreFrame, ExploreHistory, ExploreMetrics, Site, explore_picture},
+    mission::{
+        Mission as _,
+        explore::{Exploration, ExploreFrame, ExploreHistory, ExploreMetrics, Site, explore_picture},
+    },
     record::{RecordError, Recorder},
-    run::{RunError, explore},
+    run::run,
     sweep::DesignError,
 };
 
@@ -32,14 +37,14 @@ impl Recorder<ExploreFrame> for RoundCounter {
 }
 
 /// The map after so many rounds, or at the end.
-fn after(site: &Site, seed: u64, rounds: u32) -> Result<Picture, PaperError> {
-    let mut exploration = Exploration::new(site, seed).ok_or(RunError::Params)?;
-    let (mut metrics, mut history) = (ExploreMetrics::new(site), ExploreHistory::default());
+fn after(site: &Arc<Site>, seed: u64, rounds: u32) -> Result<Picture, PaperError> {
+    let mut exploration = Exploration::start(site.clone(), seed);
+    let (mut metrics, mut history) = (ExploreMetrics::new(site.clone()), ExploreHistory::default());
     let (mut last, mut begun) = (None, RoundCounter(0));
     while last.is_none() && begun.0 <= rounds {
-        last = exploration.step(&mut ((&mut metrics, &mut history), &mut begun)).map_err(RunError::from)?;
+        last = exploration.step(&mut ((&mut metrics, &mut history), &mut begun))?;
     }
-    let (mut summary, survey) = metrics.finish(seed, String::new());
+    let (mut summary, survey) = (metrics.summary(seed, String::new()), metrics.survey());
     if last.is_none() {
         summary.iterations = rounds;
         for share in [&mut summary.coverage_t50_s, &mut summary.coverage_t90_s, &mut summary.coverage_t100_s]
@@ -53,10 +58,8 @@ fn after(site: &Site, seed: u64, rounds: u32) -> Result<Picture, PaperError> {
 fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     let source = scenario("apartment");
     let experiment = Experiment { source: source.clone(), sets: &[], vary: &[], replicates: REPLICATES };
-    let flown: Vec<_> = explorations(experiment, |site, run| Ok(explore(site, run.seed, &mut ())?.0))?
-        .into_iter()
-        .flatten()
-        .collect();
+    let flown: Vec<_> =
+        explorations(experiment, |site, one| run(site, one.seed, &mut ()))?.into_iter().flatten().collect();
     let rounds: Vec<f64> = flown.iter().map(|run| run.iterations.into()).collect();
     let home = flown.iter().filter(|run| run.verdict.outcome().is_success()).count();
     let (low, high) = rounds.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), r| (l.min(*r), h.max(*r)));

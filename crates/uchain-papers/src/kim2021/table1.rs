@@ -1,9 +1,11 @@
 //! Kim 2021, Table 1: two quadrotors in the laboratory.
 
+use std::sync::Arc;
+
 use uchain_sim::{
     draw::figure::{Axes, Figure, Mark, Stroke},
     mission::explore::{ExploreHistory, ExploreSummary, Site, Survey, explore_picture},
-    run::explore,
+    run,
     sweep::DesignError,
 };
 
@@ -23,7 +25,7 @@ const PUBLISHED_S: f64 = 101.66;
 
 /// One run, with what its pictures need.
 struct Flown {
-    site: Site,
+    site: Arc<Site>,
     summary: ExploreSummary,
     survey: Survey,
     history: ExploreHistory,
@@ -32,8 +34,8 @@ struct Flown {
 fn fly(sets: &[String]) -> Result<Flown, PaperError> {
     let site = Site::read(&scenario("lab"), sets).map_err(DesignError::from)?;
     let mut history = ExploreHistory::default();
-    let (summary, survey) = explore(&site, SEED, &mut history)?;
-    Ok(Flown { site, summary, survey, history })
+    let (summary, metrics) = run::fly(&site, SEED, &mut history)?;
+    Ok(Flown { site, summary, survey: metrics.survey(), history })
 }
 
 fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {

@@ -1,8 +1,10 @@
 //! The exploration of Laclau 2021, Fig. 4D to F: the head flies 10 m into the circuit, relays follow; three treatments
 //! of the signal, 30 runs each, with the same noise, by three readings of the paper.
 
+use std::sync::Arc;
+
 use uchain_core::chain::CenterParams;
-use uchain_sim::{mission::chain::Course, run::RunError, sweep::Run};
+use uchain_sim::{mission::chain::Course, record::RecordError, sweep::Run};
 
 use super::trace::{Sample, Trace, record_trace, spread};
 use crate::{
@@ -114,7 +116,7 @@ fn variant(sets: &[&str]) -> Result<Vec<Flight>, PaperError> {
     Ok(chains(experiment, fly)?.into_iter().flatten().collect())
 }
 
-fn fly(course: &Course, one: Run) -> Result<Flight, RunError> {
+fn fly(course: &Arc<Course>, one: Run) -> Result<Flight, RecordError> {
     let Trace { samples, summary, recorded } = record_trace(course, one)?;
     Ok(Flight {
         samples,

@@ -1,10 +1,12 @@
 //! Laclau 2021, Fig. 4A to C: UAVs at random places of three corridors level their links.
 
+use std::sync::Arc;
+
 use glam::Vec2;
 use uchain_sim::{
     draw::figure::{Axes, Figure},
     mission::chain::{Course, Spawn},
-    run::RunError,
+    record::RecordError,
     seed::{Seed, Source as Draws},
     sweep::Run,
 };
@@ -84,9 +86,9 @@ enum Heading {
 }
 
 /// The head where it stays, relays anywhere behind it, in order.
-fn scattered(course: &Course, seed: u64, heading: Heading) -> Course {
-    let mut course = course.clone();
-    let Some(tunnel) = course.tunnel.clone() else { return course };
+fn scattered(course: &Arc<Course>, seed: u64, heading: Heading) -> Arc<Course> {
+    let mut course = Course::clone(course);
+    let Some(tunnel) = course.tunnel.clone() else { return Arc::new(course) };
     let mut draws = Seed(seed).stream(0, Draws::Start);
     let mut drawn = || {
         let mut depths_m: Vec<f64> =
@@ -96,7 +98,7 @@ fn scattered(course: &Course, seed: u64, heading: Heading) -> Course {
     };
     let are_apart = |depths_m: &Vec<f64>| depths_m.windows(2).all(|pair| pair[0] - pair[1] > APART_M);
     // Four of five draws are far enough apart.
-    let Some(depths_m) = (0..DRAWS).map(|_| drawn()).find(are_apart) else { return course };
+    let Some(depths_m) = (0..DRAWS).map(|_| drawn()).find(are_apart) else { return Arc::new(course) };
     let place = |depth_m: f64| {
         let [behind, (at, along_rad), ahead] =
             [-WIDTH_M, 0.0, WIDTH_M].map(|aside_m: f64| -> (Vec2, f32) { tunnel.at(depth_m + aside_m) });
@@ -108,10 +110,10 @@ fn scattered(course: &Course, seed: u64, heading: Heading) -> Course {
         Spawn { at, heading_rad }
     };
     course.spawns = depths_m.into_iter().map(place).collect();
-    course
+    Arc::new(course)
 }
 
-fn level(course: &Course, one: Run, heading: Heading) -> Result<Levelling, RunError> {
+fn level(course: &Arc<Course>, one: Run, heading: Heading) -> Result<Levelling, RecordError> {
     let course = scattered(course, one.seed, heading);
     let relays = course.spawns.iter().skip(1);
     let starts_m = relays.filter_map(|spawn| course.depth_m(spawn.at)).map(f64::from).collect();

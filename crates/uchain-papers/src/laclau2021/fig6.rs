@@ -1,10 +1,12 @@
 //! Laclau 2021, Fig. 6: the circuit as flown, with the firmware's laws.
 
+use std::sync::Arc;
+
 use uchain_sim::{
     analyse::Estimate,
     draw::figure::{Axes, Figure, Mark},
     mission::chain::Course,
-    run::RunError,
+    record::RecordError,
     sweep::Run,
 };
 
@@ -96,7 +98,7 @@ impl Flown {
     }
 }
 
-fn fly(course: &Course, one: Run) -> Result<Flown, RunError> {
+fn fly(course: &Arc<Course>, one: Run) -> Result<Flown, RecordError> {
     let Trace { samples, summary, recorded } = record_trace(course, one)?;
     Ok(Flown {
         samples,

@@ -1,10 +1,12 @@
 //! Time series of a run: losses and depths at every decision, and how the figures draw them.
 
+use std::sync::Arc;
+
 use uchain_sim::{
     draw::figure::{Mark, Stroke},
     mission::chain::{Course, Frame, History, LinkFrame, Summary},
     record::{RecordError, Recorder},
-    run::{RunError, run},
+    run::run,
     sweep::Run,
 };
 
@@ -48,7 +50,7 @@ pub(super) struct Trace {
 }
 
 /// Flies a run and records its time series.
-pub(super) fn record_trace(course: &Course, one: Run) -> Result<Trace, RunError> {
+pub(super) fn record_trace(course: &Arc<Course>, one: Run) -> Result<Trace, RecordError> {
     let mut recorder = TraceRecorder { course, samples: Vec::new() };
     let mut history = (one.replicate == 0).then(History::default);
     let summary = run(course, one.seed, &mut (&mut recorder, &mut history))?;

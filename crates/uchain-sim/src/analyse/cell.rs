@@ -30,6 +30,9 @@ pub struct Column {
     pub is_result: bool,
 }
 
+/// A number of a summary that stands in the table: its name, what it is, and where it is found.
+pub type Field<S> = (&'static str, Kind, fn(&S) -> Cell);
+
 /// One cell. Numbers are finite; what is not is absent.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
@@ -48,8 +51,17 @@ pub enum Cell {
 
 impl Cell {
     /// A list of numbers.
-    pub(crate) fn list<T: Into<Self>>(numbers: impl IntoIterator<Item = T>) -> Self {
+    pub fn list<T: Into<Self>>(numbers: impl IntoIterator<Item = T>) -> Self {
         Self::Numbers(numbers.into_iter().map(|number| number.into().number()).collect())
+    }
+
+    /// A choice by the name it has in files.
+    #[cfg(feature = "sweep")]
+    pub fn word(choice: &impl Serialize) -> Self {
+        match serde_json::to_value(choice) {
+            Ok(serde_json::Value::String(word)) => Self::Text(word),
+            _ => Self::Absent,
+        }
     }
 
     /// The number in it, if there is one.

@@ -10,7 +10,7 @@ mod significance;
 mod stats;
 mod thinned;
 
-pub use cell::{Cell, Column, Kind};
+pub use cell::{Cell, Column, Field, Kind};
 pub use digest::Digest;
 pub use outcome::{Break, Outcome, Over, Remedy, Verdict, Way};
 #[cfg(feature = "sweep")]

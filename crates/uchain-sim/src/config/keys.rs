@@ -8,18 +8,18 @@ use super::{CorridorConfig, Heading, MovingAiConfig, RosConfig, WallsConfig, dia
 
 /// A table's full name and its keys; of a list of tables the first entry stands for all: `pilot.0`. The empty name is
 /// the top of the file.
-pub(crate) type Table = (&'static str, &'static [Key]);
+pub type Table = (&'static str, &'static [Key]);
 
 /// What a mission hands in of the keys of its scenarios.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Keys {
+pub struct Keys {
     /// The table at the top that makes a scenario one of this mission; `None` for the mission of all scenarios that
     /// have no such table.
-    pub(crate) marker: Option<&'static str>,
+    pub marker: Option<&'static str>,
     /// Every table with its keys, some in several parts. What is in [`Heading`] and `[map]` may be left out.
-    pub(crate) tables: &'static [Table],
+    pub tables: &'static [Table],
     /// Keys that files once had, and the one that says it now.
-    pub(crate) renamed: &'static [(&'static str, &'static str)],
+    pub renamed: &'static [(&'static str, &'static str)],
 }
 
 /// Tables that every scenario may have.
@@ -33,7 +33,7 @@ const SHARED: [Table; 5] = [
 
 /// All keys that a reader knows: those of the missions it was given, and those that every scenario may have.
 #[derive(Debug)]
-pub(crate) struct KnownKeys {
+pub struct KnownKeys {
     /// Each key once, with the name of its table.
     keys: Vec<(&'static str, &'static Key)>,
     renamed: Vec<(&'static str, &'static str)>,
@@ -42,7 +42,7 @@ pub(crate) struct KnownKeys {
 impl KnownKeys {
     /// The top of the file comes first, then the map, then all other tables, each in the order of the missions. Of a key
     /// that several missions have in one table, the first counts.
-    pub(crate) fn of(missions: &[&Keys]) -> Self {
+    pub fn of(missions: &[&Keys]) -> Self {
         let given = || missions.iter().flat_map(|mission| mission.tables);
         let (top, below) = (given().filter(|(name, _)| name.is_empty()), given());
         let mut keys: Vec<(&str, &Key)> = Vec::new();

@@ -17,11 +17,11 @@ pub(crate) use check::{Check, DURATION_MAX_S, TICK_S};
 #[cfg(feature = "sweep")]
 pub(crate) use diagnose::shorten;
 pub use diagnose::{Choices, ConfigError, Origin};
-pub(crate) use document::Document;
+pub use document::Document;
 #[cfg(feature = "sweep")]
 pub(crate) use document::plain_key;
 pub use heading::Heading;
-pub(crate) use keys::{Keys, KnownKeys};
+pub use keys::{Keys, KnownKeys, Table};
 pub(crate) use load::explain as explain_error;
 pub use map::{CorridorConfig, MapConfig, MovingAiConfig, RosConfig, WallsConfig};
 pub use source::{PRESETS, Preset, Source, TEXT_MAX_BYTES, builtin, builtin_names, kind_of_map};

@@ -9,17 +9,7 @@ use std::{
 use rayon::prelude::*;
 
 use super::{Run, Sweep};
-use crate::{
-    analyse::Verdict,
-    config::ConfigError,
-    mission::{
-        Mission,
-        chain::{Frame, Summary},
-        explore::{ExploreFrame, ExploreSummary},
-    },
-    record::Recorder,
-    run::{RunError, explore, run},
-};
+use crate::{config::ConfigError, registry::AnyScene};
 
 /// The system gives no threads.
 #[derive(Debug, thiserror::Error)]
@@ -27,49 +17,6 @@ use crate::{
 pub struct PoolError {
     threads: usize,
     cause: rayon::ThreadPoolBuildError,
-}
-
-/// What a run came to.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Flown {
-    /// A chain.
-    Chain(Summary),
-    /// An exploration.
-    Explore(ExploreSummary),
-}
-
-impl Flown {
-    /// What was found out about how it went.
-    pub fn verdict(&self) -> &Verdict {
-        match self {
-            Self::Chain(summary) => &summary.verdict,
-            Self::Explore(summary) => &summary.verdict,
-        }
-    }
-
-    /// The run's digest.
-    pub fn digest(&self) -> &str {
-        match self {
-            Self::Chain(summary) => &summary.digest,
-            Self::Explore(summary) => &summary.digest,
-        }
-    }
-}
-
-/// Someone who can look on at either kind of mission, or stop it.
-pub trait Onlooker: Recorder<Frame> + Recorder<ExploreFrame> {}
-
-impl<T: Recorder<Frame> + Recorder<ExploreFrame>> Onlooker for T {}
-
-/// Flies a mission of either kind.
-///
-/// # Errors
-/// Only what the recorder returns, for a mission that was read.
-pub fn fly(mission: &Mission, seed: u64, onlooker: &mut impl Onlooker) -> Result<Flown, RunError> {
-    match mission {
-        Mission::Chain(course) => run(course, seed, onlooker).map(Flown::Chain),
-        Mission::Explore(site) => explore(site, seed, onlooker).map(|(summary, _)| Flown::Explore(summary)),
-    }
 }
 
 /// Does something on so many threads; `None` = one for every processor.
@@ -109,16 +56,16 @@ pub(super) fn first_error<E: Send>(
 impl Sweep {
     /// Does something with every run, on the threads of [`on_threads`] or else on all there are; results in the order
     /// of the runs, whoever did them. A run that cannot be laid out or that panics gives the reason instead.
-    pub fn each<T: Send>(&self, work: impl Fn(&Mission, Run) -> T + Sync) -> Vec<Result<T, String>> {
+    pub fn each<T: Send>(&self, work: impl Fn(&dyn AnyScene, Run) -> T + Sync) -> Vec<Result<T, String>> {
         // Chunks would be right for the folder as well; in memory a run is the smallest and best one.
         let runs = usize::try_from(self.runs()).unwrap_or(usize::MAX);
         (0..runs).into_par_iter().map(|index| self.one(self.run(index as u64), &work)).collect()
     }
 
     /// Does something with one run, or says why it cannot be flown.
-    pub(super) fn one<T>(&self, run: Run, work: impl FnOnce(&Mission, Run) -> T) -> Result<T, String> {
-        let mission = self.mission(run)?;
-        caught(|| work(&mission, run))
+    pub(super) fn one<T>(&self, run: Run, work: impl FnOnce(&dyn AnyScene, Run) -> T) -> Result<T, String> {
+        let scene = self.scene(run)?;
+        caught(|| work(&*scene, run))
     }
 
     /// Why a variant cannot be flown, wherever on this computer its files lie.
@@ -128,10 +75,10 @@ impl Sweep {
         format!("not flown: {}", if folder.is_empty() { error } else { error.replace(&folder, "") })
     }
 
-    /// The mission of a run, laid out once for all that share it.
-    pub(super) fn mission(&self, run: Run) -> Result<Arc<Mission>, String> {
-        let lay = || self.lay(run.variant).map(Arc::new).map_err(|error| self.reason(&error));
-        caught(|| self.shelf.get(run.variant, lay))?
+    /// The scene of a run, laid out once for all that share it.
+    pub(super) fn scene(&self, run: Run) -> Result<Arc<dyn AnyScene>, String> {
+        let lay = || self.lay(run.variant).map_err(|error| self.reason(&error));
+        caught(|| self.scenes.get(run.variant, lay))?
     }
 }
 

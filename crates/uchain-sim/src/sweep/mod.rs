@@ -6,29 +6,29 @@
 //!
 //! [`Sweep::each`] keeps its results in memory; [`folder`] keeps them on disk, whatever happens to the process.
 
+mod cache;
 mod design;
 mod fly;
 pub mod folder;
 pub mod report;
 mod row;
-mod shelf;
 
-use std::{hash::Hasher as _, sync::Arc};
+use std::{any::Any, hash::Hasher as _, sync::Arc};
 
 use twox_hash::XxHash64;
 
 use crate::{
-    analyse::optimum::Charts,
     config::{ConfigError, Source},
     map::Map,
-    mission::{About, Mission, ValueKind, describe, kind_of},
+    registry::{About, AnyScene, Registry, ValueKind},
     seed::Seed,
 };
+use cache::SceneCache;
 use design::{combined, refuse_overlaps};
-use shelf::Shelf;
 
+pub use crate::registry::Flown;
 pub use design::{Design, DesignError, DesignText, RUNS_MAX, TABLE_MAX_BYTES, Written};
-pub use fly::{Flown, Onlooker, PoolError, fly, on_threads, parallel_map};
+pub use fly::{PoolError, on_threads, parallel_map};
 
 /// One run of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,8 +54,10 @@ pub struct Sweep {
     about: About,
     /// What the values of every varied key are.
     kinds: Vec<ValueKind>,
-    shelf: Shelf,
-    charts: Arc<Charts>,
+    scenes: SceneCache,
+    registry: Registry,
+    /// What scenes share, as their mission has it.
+    shared: Box<dyn Any + Send + Sync>,
 }
 
 impl Sweep {
@@ -64,13 +66,13 @@ impl Sweep {
     ///
     /// ```
     /// use uchain_libm as _; // the same bits on every system
-    /// use uchain_sim::{config::builtin, sweep::{Design, DesignText, Sweep, fly}};
+    /// use uchain_sim::{config::builtin, sweep::{Design, DesignText, Sweep}};
     /// let vary = vec!["radio.sigma_db=0,4".to_owned()];
     /// let design = Design::parse(&DesignText { vary, table: None }, "").unwrap();
     /// let sets = vec!["duration_s=5".to_owned()];
     /// let sweep = Sweep::new(builtin("straight").unwrap(), sets, design, 3, 1).unwrap();
     /// sweep.check().unwrap();
-    /// let digests = sweep.each(|mission, run| fly(mission, run.seed, &mut ()).unwrap().digest().to_owned());
+    /// let digests = sweep.each(|scene, run| scene.fly(run.seed, &mut ()).unwrap().digest().to_owned());
     /// assert_eq!(digests.len(), 6);
     /// assert!(digests.iter().all(Result::is_ok));
     /// ```
@@ -85,6 +87,21 @@ impl Sweep {
         replicates: u64,
         seed: u64,
     ) -> Result<Self, DesignError> {
+        Self::of(Registry::default(), source, sets, design, replicates, seed)
+    }
+
+    /// Like [`Sweep::new`], of a scenario of one of these missions.
+    ///
+    /// # Errors
+    /// Those of [`Sweep::new`].
+    pub fn of(
+        registry: Registry,
+        source: Source,
+        sets: Vec<String>,
+        design: Design,
+        replicates: u64,
+        seed: u64,
+    ) -> Result<Self, DesignError> {
         let runs = design.variants().saturating_mul(u128::from(replicates));
         if runs == 0 {
             return Err(DesignError::None);
@@ -93,12 +110,13 @@ impl Sweep {
             let product = format!("{} variants × {replicates} replicates", design.product());
             return Err(DesignError::TooMany { runs, product });
         }
-        refuse_overlaps(&design, &source, &sets)?;
+        refuse_overlaps(registry, &design, &source, &sets)?;
         let first = combined(&design, &sets, 0);
-        let about = describe(&source, &first).map_err(|error| design.place(0, error))?;
-        let kinds = design.keys().map(|key| kind_of(&source, &first, key)).collect();
-        let (shelf, charts) = (Shelf::default(), Arc::default());
-        Ok(Self { source, sets, design, replicates, seed, about, kinds, shelf, charts })
+        let about = registry.describe(&source, &first).map_err(|error| design.place(0, error))?;
+        let kinds = design.keys().map(|key| registry.kind_of(&source, &first, key)).collect();
+        let shared = about.mission.shared();
+        let scenes = SceneCache::default();
+        Ok(Self { source, sets, design, replicates, seed, about, kinds, scenes, registry, shared })
     }
 
     /// Checks keys and values of every variant, and gives a hash of the walls of the first that can be laid out. What only shows in the map (a base in rock, UAVs that overlap) fails
@@ -110,12 +128,12 @@ impl Sweep {
     pub fn check(&self) -> Result<String, DesignError> {
         fly::first_error(self.variants(), |variant| {
             let sets = combined(&self.design, &self.sets, variant);
-            describe(&self.source, &sets).err().map(|error| self.design.place(variant, error))
+            self.registry.describe(&self.source, &sets).err().map(|error| self.design.place(variant, error))
         })?;
         let mut first = None;
         for variant in 0..self.variants() {
             match self.lay(variant) {
-                Ok(mission) => return Ok(hash_of(mission.map())),
+                Ok(scene) => return Ok(hash_of(scene.map())),
                 Err(error) => first = first.or(Some(error)),
             }
         }
@@ -126,13 +144,10 @@ impl Sweep {
     ///
     /// # Errors
     /// What is wrong with it, and where that was written.
-    pub fn lay(&self, variant: u64) -> Result<Mission, ConfigError> {
-        let mut mission = Mission::read(&self.source, &combined(&self.design, &self.sets, variant))
-            .map_err(|error| self.design.place(variant, error))?;
-        if let Mission::Chain(course) = &mut mission {
-            course.charts = self.charts.clone();
-        }
-        Ok(mission)
+    pub fn lay(&self, variant: u64) -> Result<Arc<dyn AnyScene>, ConfigError> {
+        let sets = combined(&self.design, &self.sets, variant);
+        let scene = self.registry.read_sharing(&self.source, &sets, &*self.shared);
+        scene.map_err(|error| self.design.place(variant, error))
     }
 
     /// Number of runs.
@@ -148,6 +163,11 @@ impl Sweep {
     /// Runs of each variant.
     pub fn replicates(&self) -> u64 {
         self.replicates
+    }
+
+    /// The missions that its scenario may be of.
+    pub fn registry(&self) -> Registry {
+        self.registry
     }
 
     /// What the scenario says of itself.

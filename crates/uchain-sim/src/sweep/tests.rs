@@ -2,6 +2,7 @@ use super::*;
 use crate::{
     analyse::{Cell, Kind},
     config::builtin,
+    mission::{chain::Summary, explore::ExploreSummary},
 };
 
 fn sweep(vary: &[&str], replicates: u64) -> Sweep {
@@ -25,7 +26,7 @@ fn what_is_varied_last_changes_fastest_and_replicates_faster_still() {
 fn a_row_does_not_change_with_what_is_varied_besides_or_how_often() {
     let digests = |sweep: Sweep| -> Vec<String> {
         let digest =
-            |mission: &Mission, run: Run| fly(mission, run.seed, &mut ()).unwrap().digest().to_owned();
+            |scene: &dyn AnyScene, run: Run| scene.fly(run.seed, &mut ()).unwrap().digest().to_owned();
         sweep.each(digest).into_iter().map(Result::unwrap).collect()
     };
     let few = digests(sweep(&["radio.sigma_db=4"], 2));
@@ -70,9 +71,11 @@ fn columns_have_different_names_and_those_of_the_summary() {
         names.dedup();
         assert_eq!(names.len(), count);
         let sets = vec!["duration_s=5".to_owned()];
-        let summary = match Mission::read(&builtin(name).unwrap(), &sets).unwrap() {
-            Mission::Chain(course) => serde_json::to_value(crate::run::run(&course, 1, &mut ()).unwrap()),
-            Mission::Explore(site) => serde_json::to_value(crate::run::explore(&site, 1, &mut ()).unwrap().0),
+        let scene = Registry::default().read(&builtin(name).unwrap(), &sets).unwrap();
+        let flown = scene.fly(1, &mut ()).unwrap();
+        let summary = match (flown.summary::<Summary>(), flown.summary::<ExploreSummary>()) {
+            (Some(summary), _) => serde_json::to_value(summary),
+            (_, summary) => serde_json::to_value(summary),
         };
         // What is not a column: the scenario's name is the table's, the others are lists of structures.
         let elsewhere = ["scenario", "links", "unseen", "gaps"];

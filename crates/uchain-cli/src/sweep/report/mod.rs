@@ -11,6 +11,7 @@ use std::{
 
 use uchain_sim::{
     analyse::Cell,
+    registry::Registry,
     sweep::{
         Sweep,
         folder::{Folder, FolderError, TABLE},
@@ -28,8 +29,8 @@ const MARKDOWN: &str = "report.md";
 /// Folder of the pictures.
 const PLOTS: &str = "plots";
 
-pub(crate) fn report(asked: &Report) -> Result<(), Failure> {
-    let folder = Folder::open(&asked.folder)?;
+pub(crate) fn report(registry: Registry, asked: &Report) -> Result<(), Failure> {
+    let folder = Folder::open(&asked.folder)?.with_missions(registry);
     if !folder.is_complete() {
         let runs = folder.manifest().runs;
         let there = folder.totals(&folder.sweep()?)?.runs;

@@ -1,6 +1,6 @@
 //! Bisection on the level with the farthest reachable placement: the exact answer where loss grows with distance.
 
-use super::chart::known;
+use super::table::known;
 
 /// How closely the level is found (dB).
 const LEVEL_DB: f64 = 1e-6;

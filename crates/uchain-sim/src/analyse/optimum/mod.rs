@@ -1,29 +1,30 @@
-//! The exact optimum of a chain (Laclau 2021, Eq. 1, 2, 9–11): the yardstick of every run.
+//! The exact optimum of a chain (Laclau 2021, Eq. 1, 2, 9–11): the optimum of every run.
 //!
 //! Given how loss depends on two depths along the tunnel, where must the relays stand so that the worst link is as
-//! good as can be? [`Chart`] searches the whole tunnel on samples, [`optimum`] makes one answer exact, [`Yardstick`]
+//! good as can be? [`BottleneckTable`] searches the whole tunnel on samples, [`optimum`] makes one answer exact, [`CourseOptimum`]
 //! binds both to a [`Course`](crate::mission::chain::Course).
 
-mod chart;
-mod charts;
+mod cache;
 mod level;
 mod refine;
+mod table;
 #[cfg(test)]
 mod tests;
 
-pub use chart::{Chart, MOST_LINKS, MOST_SAMPLES};
-pub(crate) use charts::{ChartKey, Charts};
+pub use cache::TableCache;
+pub(crate) use cache::TableKey;
+pub use table::{BottleneckTable, MOST_LINKS, MOST_SAMPLES};
 
 use uchain_core::bounded;
 
-use chart::known;
+use table::known;
 
 /// How closely the relays of an optimum are placed (m).
 pub const RESOLUTION_M: f64 = 1e-4;
 /// Chains whose worst links differ by no more than this are equally good (dB); of those the one with equal links
 /// is preferred.
 const EQUAL_DB: f64 = 1e-3;
-/// How many of the chart's best chains are refined, by the place of the relay next to the head, and how much worse
+/// How many of the table's best chains are refined, by the place of the relay next to the head, and how much worse
 /// than the best one they may start (dB).
 const DIPS: usize = 4;
 const DIP_DB: f64 = 10.0;
@@ -52,7 +53,7 @@ impl Optimum {
 }
 
 /// The chain of `links` links (1 to [`MOST_LINKS`], clamped) from the base to a head at `head_depth_m` (clamped to the
-/// chart's tunnel) whose worst link is best, over all ordered places of the relays. `chart` is that of the same
+/// table's tunnel) whose worst link is best, over all ordered places of the relays. `table` is that of the same
 /// `loss_db`, which takes two depths (m), the shallower one first.
 ///
 /// * Where loss is continuous and grows with distance, all links are equal, to within 0.01 dB: the paper's `s_eq`.
@@ -60,43 +61,43 @@ impl Optimum {
 ///   placed to [`RESOLUTION_M`] can. Its links are then unequal, the worst one counts.
 /// * Where loss does not grow everywhere with distance (a tunnel that turns back on itself), it is still the best
 ///   worst link over all ordered placements, and may be far better than any chain of equal links. The search is
-///   over the chart's samples, so a good place narrower than the chart's step may be overlooked.
+///   over the table's samples, so a good place narrower than the table's step may be overlooked.
 ///
-/// In every case the answer is a chain that can be had, with the losses it has. It is the better of two: the chart's,
+/// In every case the answer is a chain that can be had, with the losses it has. It is the better of two: the table's,
 /// refined in shrinking windows, and that of the paper's bisection on the level.
 pub fn optimum(
     loss_db: &impl Fn(f64, f64) -> f64,
-    chart: &Chart,
+    table: &BottleneckTable,
     head_depth_m: f64,
     links: usize,
 ) -> Optimum {
-    let head_m = in_tunnel(chart, head_depth_m);
-    let to_head_db = chart.losses_to(loss_db, head_m);
-    optimum_from(loss_db, chart, &to_head_db, head_m, links)
+    let head_m = in_tunnel(table, head_depth_m);
+    let to_head_db = table.losses_to(loss_db, head_m);
+    optimum_from(loss_db, table, &to_head_db, head_m, links)
 }
 
-fn in_tunnel(chart: &Chart, depth_m: f64) -> f64 {
-    if depth_m > 0.0 { depth_m.min(chart.depth_m()) } else { 0.0 }
+fn in_tunnel(table: &BottleneckTable, depth_m: f64) -> f64 {
+    if depth_m > 0.0 { depth_m.min(table.depth_m()) } else { 0.0 }
 }
 
 fn optimum_from(
     loss_db: &impl Fn(f64, f64) -> f64,
-    chart: &Chart,
+    table: &BottleneckTable,
     to_head_db: &[f64],
     head_m: f64,
     links: usize,
 ) -> Optimum {
     let asked = bounded(links, 1, MOST_LINKS);
-    // Beyond what the chart knows no relay helps; the rest stay at the base.
-    let links = asked.min(chart.links_max() + 1);
+    // Beyond what the table knows no relay helps; the rest stay at the base.
+    let links = asked.min(table.links_max() + 1);
     let whole = |depths_m: Vec<f64>| Optimum::of(loss_db, [vec![0.0; asked - links], depths_m].concat());
-    let refined = starts(&chart.by_last_relay(to_head_db, links)).into_iter().map(|last_relay| {
-        let mut depths_m = chart.chain(last_relay, head_m, links);
-        refine::refine(loss_db, &mut depths_m, chart.step_m(), RESOLUTION_M);
+    let refined = starts(&table.by_last_relay(to_head_db, links)).into_iter().map(|last_relay| {
+        let mut depths_m = table.chain(last_relay, head_m, links);
+        refine::refine(loss_db, &mut depths_m, table.step_m(), RESOLUTION_M);
         whole(depths_m)
     });
     let refined = refined.min_by(|a, b| a.bottleneck_db.total_cmp(&b.bottleneck_db));
-    let refined = refined.unwrap_or_else(|| whole(chart.chain(0, head_m, links)));
+    let refined = refined.unwrap_or_else(|| whole(table.chain(0, head_m, links)));
     let equal = level::level(loss_db, head_m, links, refined.bottleneck_db + EQUAL_DB).map(whole);
     equal.filter(|equal| equal.bottleneck_db <= refined.bottleneck_db + EQUAL_DB).unwrap_or(refined)
 }
@@ -125,17 +126,17 @@ pub fn equal_links(loss_db: &impl Fn(f64, f64) -> f64, head_depth_m: f64, links:
 /// The least number of links, n*, with which the worst link is at most `s_min_db`; `None` where no number is enough.
 pub fn links_needed(
     loss_db: &impl Fn(f64, f64) -> f64,
-    chart: &Chart,
+    table: &BottleneckTable,
     head_depth_m: f64,
     s_min_db: f64,
 ) -> Option<usize> {
-    let head_m = in_tunnel(chart, head_depth_m);
-    let to_head_db = chart.losses_to(loss_db, head_m);
-    let within = |links| within(loss_db, chart, &to_head_db, head_m, links, s_min_db);
+    let head_m = in_tunnel(table, head_depth_m);
+    let to_head_db = table.losses_to(loss_db, head_m);
+    let within = |links| within(loss_db, table, &to_head_db, head_m, links, s_min_db);
     let on_samples =
-        |&links: &usize| chart.by_last_relay(&to_head_db, links).iter().any(|&db| db <= s_min_db);
-    // With one link more than the chart knows, the relay next to the head still has all samples to stand on.
-    let most = chart.links_max() + 1;
+        |&links: &usize| table.by_last_relay(&to_head_db, links).iter().any(|&db| db <= s_min_db);
+    // With one link more than the table knows, the relay next to the head still has all samples to stand on.
+    let most = table.links_max() + 1;
     let mut needed = match (1..=most).find(on_samples) {
         Some(links) => links,
         None if within(most) => most,
@@ -150,7 +151,7 @@ pub fn links_needed(
 /// Whether the optimum of so many links is good enough.
 fn within(
     loss_db: &impl Fn(f64, f64) -> f64,
-    chart: &Chart,
+    table: &BottleneckTable,
     to_head_db: &[f64],
     head_m: f64,
     links: usize,
@@ -158,5 +159,5 @@ fn within(
 ) -> bool {
     // The first is far cheaper, and mostly right where the answer is yes.
     level::farthest(loss_db, head_m, links, s_min_db).is_some()
-        || optimum_from(loss_db, chart, to_head_db, head_m, links).bottleneck_db <= s_min_db
+        || optimum_from(loss_db, table, to_head_db, head_m, links).bottleneck_db <= s_min_db
 }

@@ -2,7 +2,7 @@
 
 use uchain_core::bounded;
 
-use super::chart::known;
+use super::table::known;
 
 /// Places tried on each side of a relay.
 const REACH: usize = 4;

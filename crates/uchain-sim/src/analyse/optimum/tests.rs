@@ -15,8 +15,8 @@ fn straight(a_m: f64, b_m: f64) -> f64 {
     35.0 + 20.0 * libm::log10(1.0 + (b_m - a_m).abs() / 0.25)
 }
 
-fn chart(loss_db: impl Fn(f64, f64) -> f64, depth_m: f64) -> Chart {
-    Chart::new(loss_db, depth_m, 0.05, 16)
+fn table(loss_db: impl Fn(f64, f64) -> f64, depth_m: f64) -> BottleneckTable {
+    BottleneckTable::new(loss_db, depth_m, 0.05, 16)
 }
 
 /// A corridor through rock and a radio in it.
@@ -100,8 +100,8 @@ fn no_placement_on_a_finer_grid_beats_the_optimum_on_1000_random_maps() {
         let loss_db = |a, b| case.loss_db(a, b);
         let head_m = case.tunnel.length_m() - 0.3;
         let links = 2 + number % 3;
-        let chart = chart(loss_db, head_m);
-        let found = optimum(&loss_db, &chart, head_m, links);
+        let table = table(loss_db, head_m);
+        let found = optimum(&loss_db, &table, head_m, links);
 
         // It is a chain, and its losses are true.
         assert!(found.depths_m.is_sorted_by(|a, b| a >= b), "{found:?}");
@@ -110,7 +110,7 @@ fn no_placement_on_a_finer_grid_beats_the_optimum_on_1000_random_maps() {
             assert_eq!(*link_db, loss_db(found.depths_m[i + 1], found.depths_m[i]));
             assert!(*link_db <= found.bottleneck_db);
         }
-        // A grid that shares no point with the chart's samples.
+        // A grid that shares no point with the table's samples.
         let step_m = if links == 2 { 0.01 } else { 0.04 };
         let grid_m: Vec<f64> =
             (0..4000).map(|i| (f64::from(i) + 0.37) * step_m).take_while(|&x| x < head_m).collect();
@@ -129,7 +129,7 @@ fn no_placement_on_a_finer_grid_beats_the_optimum_on_1000_random_maps() {
 #[test]
 fn in_a_straight_tunnel_relays_stand_equally_far_apart() {
     for (head_m, links) in [(9.7, 3), (10.0, 4), (0.9, 2), (31.4, 7)] {
-        let found = optimum(&straight, &chart(straight, head_m), head_m, links);
+        let found = optimum(&straight, &table(straight, head_m), head_m, links);
         for (i, (depth_m, link_db)) in found.depths_m.iter().zip(&found.link_loss_db).enumerate() {
             let expected_m = head_m * (links - i) as f64 / links as f64;
             assert!((depth_m - expected_m).abs() < 1e-4, "{i}: {depth_m} {expected_m}");
@@ -144,7 +144,7 @@ fn where_loss_is_continuous_and_grows_all_links_are_equal() {
     let along = |x_m: f64| x_m + 7.0 * bounded(x_m - 3.0, 0.0, 0.5);
     let corner = |a_m: f64, b_m: f64| straight(along(a_m), along(b_m)) + 8.0 * (along(b_m) - along(a_m));
     for links in 2..=6 {
-        let found = optimum(&corner, &chart(corner, 8.0), 8.0, links);
+        let found = optimum(&corner, &table(corner, 8.0), 8.0, links);
         for link_db in &found.link_loss_db {
             assert!((link_db - found.bottleneck_db).abs() < 0.01, "{found:?}");
         }
@@ -157,7 +157,7 @@ fn where_loss_is_continuous_and_grows_all_links_are_equal() {
 fn where_loss_jumps_links_are_unequal_and_the_infimum_is_approached() {
     // No sight past 2 m: 30 dB for crossing it, so one relay belongs right there, on either side.
     let step = |a_m: f64, b_m: f64| straight(a_m, b_m) + if a_m < 2.0 && b_m > 2.0 { 30.0 } else { 0.0 };
-    let found = optimum(&step, &chart(step, 8.0), 8.0, 2);
+    let found = optimum(&step, &table(step, 8.0), 8.0, 2);
     assert!((found.depths_m[1] - 2.0).abs() < RESOLUTION_M, "{found:?}");
     // From there to the head, or from the base to there: the infimum is the longer of the two.
     assert!((found.bottleneck_db - straight(2.0, 8.0)).abs() < 0.01, "{found:?}");
@@ -169,7 +169,7 @@ fn in_a_u_the_best_chain_leaps_across_and_bisection_on_the_level_does_not_find_i
     // 6 m out, 1 m across, 12 m back, as if rock were air: the relay belongs beyond the turn.
     let at = |x: f64| DVec2::new(if x <= 6.0 { x } else { 13.0 - x.max(7.0) }, bounded(x - 6.0, 0.0, 1.0));
     let u = |a_m: f64, b_m: f64| straight(0.0, at(a_m).distance(at(b_m)));
-    let found = optimum(&u, &chart(u, 19.0), 19.0, 2);
+    let found = optimum(&u, &table(u, 19.0), 19.0, 2);
     // 2.917 m past the base, 3.083 m from it and from the head.
     assert!((found.depths_m[1] - (13.0 + 35.0 / 12.0)).abs() < RESOLUTION_M, "{found:?}");
     assert!((found.bottleneck_db - straight(0.0, 37.0 / 12.0)).abs() < 0.01, "{found:?}");
@@ -182,24 +182,27 @@ fn in_a_u_the_best_chain_leaps_across_and_bisection_on_the_level_does_not_find_i
 fn a_thousand_relays_in_a_short_tunnel_do_no_harm() {
     // From 0.25 m on, Eq. 22 as it is: 35 dB and no less.
     let clamped = |a_m: f64, b_m: f64| 35.0 + 20.0 * libm::log10((b_m - a_m).max(0.25) / 0.25);
-    let chart = Chart::new(clamped, 3.0, 0.05, MOST_LINKS);
-    let found = optimum(&clamped, &chart, 3.0, 1000);
+    let table = BottleneckTable::new(clamped, 3.0, 0.05, MOST_LINKS);
+    let found = optimum(&clamped, &table, 3.0, 1000);
     assert_eq!((found.link_loss_db.len(), found.depths_m.len()), (1000, 1001));
-    assert!(chart.links_max() < 20 && found.bottleneck_db < 35.001, "{}", found.bottleneck_db);
+    assert!(table.links_max() < 20 && found.bottleneck_db < 35.001, "{}", found.bottleneck_db);
 }
 
 #[test]
 fn enough_links_are_no_more_than_needed() {
-    let chart = chart(straight, 20.0);
+    let table = table(straight, 20.0);
     // 60 dB reach 0.25 · (10^1.25 − 1) m.
     let reach_m = 0.25 * (libm::pow(10.0, 1.25) - 1.0);
     for (head_m, needed) in
         [(0.0, 1), (reach_m - 1e-3, 1), (reach_m + 1e-3, 2), (2.0 * reach_m - 1e-3, 2), (12.0, 3)]
     {
-        assert_eq!(links_needed(&straight, &chart, head_m, 60.0), Some(needed), "{head_m}");
+        assert_eq!(links_needed(&straight, &table, head_m, 60.0), Some(needed), "{head_m}");
     }
-    assert_eq!(links_needed(&straight, &chart, 12.0, 34.0), None, "no link is as good");
-    assert_eq!(links_needed(&|_, _| f64::NAN, &Chart::new(|_, _| f64::NAN, 3.0, 0.1, 8), 2.0, 60.0), None);
+    assert_eq!(links_needed(&straight, &table, 12.0, 34.0), None, "no link is as good");
+    assert_eq!(
+        links_needed(&|_, _| f64::NAN, &BottleneckTable::new(|_, _| f64::NAN, 3.0, 0.1, 8), 2.0, 60.0),
+        None
+    );
 }
 
 #[test]
@@ -207,19 +210,19 @@ fn a_chart_is_exhaustive_on_its_samples_and_bounded_for_any_tunnel() {
     let mut random = Seed(2).stream(0, Source::Start);
     let case = Case::draw(&mut random);
     let depth_m = case.tunnel.length_m();
-    let chart = Chart::new(|a, b| case.loss_db(a, b), depth_m, 0.25, 4);
-    let samples: Vec<f64> = (0..chart.bottleneck_db(1).len()).map(|i| i as f64 * chart.step_m()).collect();
+    let table = BottleneckTable::new(|a, b| case.loss_db(a, b), depth_m, 0.25, 4);
+    let samples: Vec<f64> = (0..table.bottleneck_db(1).len()).map(|i| i as f64 * table.step_m()).collect();
     let (Some(&head_m), Some(last)) = (samples.last(), samples.len().checked_sub(1)) else { panic!() };
     for links in 2..=4 {
         let best_db = exhaustive(&|a, b| case.loss_db(a, b), &samples, head_m, links);
-        assert_eq!(chart.bottleneck_db(links)[last], best_db);
+        assert_eq!(table.bottleneck_db(links)[last], best_db);
     }
-    let wide = Chart::new(straight, 1e6, 0.1, 3);
+    let wide = BottleneckTable::new(straight, 1e6, 0.1, 3);
     assert_eq!(wide.bottleneck_db(3).len(), MOST_SAMPLES);
     for (depth_m, step_m) in
         [(0.0, 0.1), (-1.0, 0.1), (f64::NAN, 0.1), (1.0, 0.0), (1.0, f64::NAN), (1.0, -1.0)]
     {
-        let odd = Chart::new(straight, depth_m, step_m, 3);
+        let odd = BottleneckTable::new(straight, depth_m, step_m, 3);
         assert!(optimum(&straight, &odd, 5.0, 3).bottleneck_db.is_finite(), "{depth_m} {step_m}");
     }
 }

@@ -260,6 +260,11 @@ pub struct Verdict {
 }
 
 impl Verdict {
+    /// The outcome's word, and the words with numbers.
+    pub fn words(&self) -> String {
+        format!("{}: {self}", self.outcome().word())
+    }
+
     /// The gravest of the findings; without any, what the mission is if nothing went wrong. `remarks` are said
     /// besides: what went wrong and healed.
     ///

@@ -26,7 +26,7 @@ pub(crate) use path::plain_key;
 
 /// The parsed text. A value that came by `--set` number `i` has a span of its own behind the text,
 /// which starts at `text.len() + 1 + i`; behind those lie the spans of the preset's text.
-pub(crate) struct Document<'i> {
+pub struct Document<'i> {
     source: &'i Source,
     sets: &'i [String],
     /// What may be written in it.
@@ -40,11 +40,10 @@ pub(crate) struct Document<'i> {
 impl<'i> Document<'i> {
     /// Reads a text, writes `sets` over it and fills in its preset. `known` are the keys that short names and slips of
     /// the finger are looked up in.
-    pub(crate) fn parse(
-        source: &'i Source,
-        sets: &'i [String],
-        known: &'i KnownKeys,
-    ) -> Result<Self, ConfigError> {
+    ///
+    /// # Errors
+    /// The text is no TOML, an assignment has no place to go, or the preset is unknown.
+    pub fn parse(source: &'i Source, sets: &'i [String], known: &'i KnownKeys) -> Result<Self, ConfigError> {
         let text = source.text.as_str();
         let parsed = DeTable::parse(text);
         let table = parsed.map_err(|error| ConfigError::Syntax {
@@ -184,8 +183,17 @@ impl<'i> Document<'i> {
     }
 
     /// Where relative paths in it start.
-    pub(crate) fn folder(&self) -> &Path {
+    pub fn folder(&self) -> &Path {
         &self.source.folder
+    }
+
+    /// The values, each of the right type.
+    ///
+    /// # Errors
+    /// What is no value of `T`, and where that was written.
+    pub fn values<T: serde::de::DeserializeOwned>(&self) -> Result<T, ConfigError> {
+        let root = toml::de::ValueDeserializer::from(self.root());
+        T::deserialize(root).map_err(|error| super::explain_error(&error, self))
     }
 
     /// The value tree, for the deserializer.
@@ -204,7 +212,7 @@ impl<'i> Document<'i> {
     }
 
     /// Where a span stands.
-    pub(crate) fn place(&self, span: &Range<usize>) -> Origin {
+    pub fn place(&self, span: &Range<usize>) -> Origin {
         let in_preset = span.start.checked_sub(self.preset_start());
         match (self.set_at(span), self.preset, in_preset) {
             (Some(assignment), ..) => Origin::Set { assignment: shorten(assignment) },
@@ -216,12 +224,12 @@ impl<'i> Document<'i> {
     }
 
     /// The document as a whole.
-    pub(crate) fn whole(&self) -> Origin {
+    pub fn whole(&self) -> Origin {
         whole(self.source)
     }
 
     /// Where a key (`pilot.0.speed_mps`) was written, else the table it belongs to.
-    pub(crate) fn origin(&self, path: &str) -> Origin {
+    pub fn origin(&self, path: &str) -> Origin {
         let (found, exact) = self.follow(path);
         match found {
             Some(value) if exact || value.span() != self.root.span() => self.place(&value.span()),
@@ -230,7 +238,7 @@ impl<'i> Document<'i> {
     }
 
     /// The value of a key as it was written; `None` when it was not, or is not a single value.
-    pub(crate) fn written(&self, path: &str) -> Option<String> {
+    pub fn written(&self, path: &str) -> Option<String> {
         let (Some(value), true) = self.follow(path) else { return None };
         match value.get_ref() {
             DeValue::String(text) => Some(format!("\"{}\"", shorten(text))),
@@ -243,7 +251,7 @@ impl<'i> Document<'i> {
     }
 
     /// What stands at a key, in a few words; `None` where nothing does.
-    pub(crate) fn shown(&self, path: &str) -> Option<String> {
+    pub fn shown(&self, path: &str) -> Option<String> {
         let (Some(value), true) = self.follow(path) else { return None };
         self.written(path).or_else(|| match value.get_ref() {
             DeValue::Array(items) => Some(format!("a list of {}", items.len())),
@@ -253,7 +261,7 @@ impl<'i> Document<'i> {
     }
 
     /// An error about a key, at its place; `got` is said if it was not written.
-    pub(crate) fn invalid(&self, key: &str, got: &str, expected: impl Into<String>) -> ConfigError {
+    pub fn invalid(&self, key: &str, got: &str, expected: impl Into<String>) -> ConfigError {
         ConfigError::Invalid {
             at: self.origin(key),
             key: key.to_owned(),
@@ -263,13 +271,13 @@ impl<'i> Document<'i> {
     }
 
     /// How many entries a list has; `None` where no list was written.
-    pub(crate) fn count(&self, path: &str) -> Option<usize> {
+    pub fn count(&self, path: &str) -> Option<usize> {
         let (Some(value), true) = self.follow(path) else { return None };
         if let DeValue::Array(items) = value.get_ref() { Some(items.len()) } else { None }
     }
 
     /// Whether a key is there.
-    pub(crate) fn has(&self, path: &str) -> bool {
+    pub fn has(&self, path: &str) -> bool {
         self.follow(path).1
     }
 

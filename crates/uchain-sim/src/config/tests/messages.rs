@@ -2,7 +2,7 @@ use super::{
     super::{KnownKeys, keys::join},
     Course, PLAIN, source,
 };
-use crate::mission::{chain, explore};
+use crate::mission::{Scene as _, explore::Site};
 
 fn message(text: &str, sets: &[&str]) -> String {
     let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
@@ -268,7 +268,7 @@ fn no_message_shows_a_librarys_inside() {
         "f32",
         "inf m",
     ];
-    let known = KnownKeys::of(&[&chain::KEYS, &explore::KEYS]);
+    let known = KnownKeys::of(&[Course::KEYS, Site::KEYS]);
     let keys = known.keys().map(|(table, key)| join(table, key.name));
     for key in keys.chain(known.tables().map(str::to_owned)).filter(|key| !key.is_empty()) {
         for value in [

@@ -6,10 +6,9 @@ use std::path::PathBuf;
 use proptest::prelude::*;
 
 use super::{ConfigError, Source, builtin, builtin_names};
-use crate::mission::{
-    About,
-    chain::{Course, Scenario},
-    describe,
+use crate::{
+    mission::chain::{Course, Scenario},
+    registry::{About, Registry},
 };
 
 const PLAIN: &str = r#"name = "plain"
@@ -38,7 +37,8 @@ fn source(text: &str) -> Source {
 #[test]
 fn every_builtin_scenario_is_named_as_its_file_and_passes_its_checks() {
     for &name in builtin_names() {
-        let About { name: called, description, .. } = describe(&builtin(name).unwrap(), &[]).unwrap();
+        let About { name: called, description, .. } =
+            Registry::default().describe(&builtin(name).unwrap(), &[]).unwrap();
         assert_eq!(called, name);
         assert!(!description.is_empty(), "{name}");
     }
@@ -81,7 +81,7 @@ fn a_scenario_changed_in_code_is_checked_when_it_is_laid_out() {
     let source = source(PLAIN);
     let mut scenario = Scenario::parse(&source, &[]).unwrap();
     scenario.tof.period_s = 0.07;
-    let error = Course::lay(scenario, &source).unwrap_err();
+    let error = Course::lay_out(scenario, &source).unwrap_err();
     assert!(error.to_string().contains("tof.period_s = 0.07"), "{error}");
 }
 

@@ -2,7 +2,7 @@ use super::{
     super::{KnownKeys, PRESETS, Preset, document::Document},
     Course, PLAIN, Scenario, source,
 };
-use crate::mission::chain;
+use crate::mission::Scene as _;
 
 #[test]
 fn a_preset_fills_in_what_is_not_written_and_every_one_of_them_is_right() {
@@ -11,7 +11,7 @@ fn a_preset_fills_in_what_is_not_written_and_every_one_of_them_is_right() {
         assert!(table.values().all(toml::Value::is_table), "{}: tables only", preset.name);
         assert!(preset.description().len() > 20, "{}: {}", preset.name, preset.description());
         let text = format!("preset = \"{}\"\n{PLAIN}", preset.name);
-        let scenario = Course::read(&source(&text), &[]).unwrap().scenario;
+        let scenario = Course::read(&source(&text), &[]).unwrap().scenario.clone();
         assert_eq!(scenario.preset.as_deref(), Some(preset.name));
         assert_eq!(scenario.equalize.k_db_per_m, 20.0, "the scenario's own value in a table of the preset");
         // Each value of the preset is where it belongs.
@@ -41,7 +41,7 @@ fn a_set_wins_over_a_preset_whichever_comes_first() {
 fn a_wrong_value_of_a_preset_is_named_with_the_presets_line() {
     const ODD: Preset = Preset { name: "odd", text: "# Odd\n[tof]\nperiod_s = 0.07\n[link]\nlost = 1\n" };
     let (source, sets) = (source(PLAIN), ["link.lost_s=2".to_owned()]);
-    let known = KnownKeys::of(&[&chain::KEYS]);
+    let known = KnownKeys::of(&[Course::KEYS]);
     let odd = |preset| {
         let mut document = Document::parse(&source, &sets, &known).unwrap();
         document.fill_in(preset).unwrap();

@@ -1,5 +1,7 @@
 //! The chain: brains in order, the links between them, and the pilot of the head.
 
+use std::sync::Arc;
+
 use uchain_core::{
     chain::{Command, End, LinkEnd, Node, NodeParams, Observation, Packet, Pilot, RadioSlot, Role},
     seam::Brain,
@@ -15,8 +17,8 @@ use crate::{
 
 /// All brains of a run. UAVs take off in order; those in the air are the chain.
 #[derive(Debug)]
-pub struct ChainMission<'a> {
-    course: &'a Course,
+pub(super) struct Brains {
+    course: Arc<Course>,
     nodes: Vec<Node>,
     receivers: Vec<Box<dyn Receiver>>,
     base: BaseStation,
@@ -29,6 +31,12 @@ pub struct ChainMission<'a> {
     in_line: usize,
     /// The flying chain's links at the last exchange: UAV at the front end, true loss (dB).
     links: Vec<(usize, f32)>,
+}
+
+/// What one of the chain hears by.
+fn receiver_of(course: &Course, seed: Seed, i: usize) -> Box<dyn Receiver> {
+    let scenario = &course.scenario;
+    receiver(seed, i, scenario.radio.sigma_db, &scenario.packets, &scenario.faults)
 }
 
 /// The other end of the last link: it hears the last UAV, and has nothing to decide.
@@ -49,36 +57,51 @@ fn node_params(scenario: &Scenario) -> NodeParams {
     }
 }
 
-impl<'a> ChainMission<'a> {
+impl Brains {
     /// All UAVs on the ground.
-    pub fn new(course: &'a Course, seed: Seed) -> Self {
+    pub(super) fn new(course: Arc<Course>, seed: Seed) -> Self {
         let scenario = &course.scenario;
-        let params = node_params(scenario);
         let count = course.spawns.len();
-        let role = |i| if i == 0 { Role::Head } else { Role::Relay };
         let mut fails_s: Vec<Option<f64>> = vec![None; count];
         for dead in &scenario.faults.dead {
             if let Some(first_s) = fails_s.get_mut(dead.uav) {
                 *first_s = Some(first_s.map_or(dead.start_s, |s| s.min(dead.start_s)));
             }
         }
-        let receiver = |i| receiver(seed, i, scenario.radio.sigma_db, &scenario.packets, &scenario.faults);
-        Self {
-            course,
-            nodes: (0..count).map(|i| Node::new(role(i), params.clone())).collect(),
-            receivers: (0..count).map(receiver).collect(),
-            // One number beyond the UAVs', so that it draws from streams of its own.
-            base: BaseStation { receiver: receiver(count), ear: LinkEnd::new(End::Rear) },
+        let mut brains = Self {
+            nodes: Vec::with_capacity(count),
+            receivers: Vec::with_capacity(count),
+            base: BaseStation { receiver: receiver_of(&course, seed, count), ear: LinkEnd::new(End::Rear) },
             said: Vec::with_capacity(count),
             fails_s,
             flying: Vec::with_capacity(count),
             in_line: 0,
             links: Vec::with_capacity(count),
-        }
+            course,
+        };
+        brains.reset(seed);
+        brains
+    }
+
+    /// As [`Brains::new`] makes it.
+    pub(super) fn reset(&mut self, seed: Seed) {
+        let (course, count) = (&self.course, self.course.spawns.len());
+        let params = node_params(&course.scenario);
+        let role = |i| if i == 0 { Role::Head } else { Role::Relay };
+        self.nodes.clear();
+        self.nodes.extend((0..count).map(|i| Node::new(role(i), params.clone())));
+        self.receivers.clear();
+        self.receivers.extend((0..count).map(|i| receiver_of(course, seed, i)));
+        // One number beyond the UAVs', so that it draws from streams of its own.
+        self.base = BaseStation { receiver: receiver_of(course, seed, count), ear: LinkEnd::new(End::Rear) };
+        self.said.clear();
+        self.flying.clear();
+        self.in_line = 0;
+        self.links.clear();
     }
 
     /// What the pilot asks of the head at this time.
-    pub fn pilot_at(&self, time_s: f64) -> Pilot {
+    pub(super) fn pilot_at(&self, time_s: f64) -> Pilot {
         let now = self.course.scenario.pilot.iter().take_while(|step| step.start_s <= time_s).last();
         now.map_or_else(Pilot::default, |step| Pilot { speed_mps: step.speed_mps, follow: step.follow })
     }
@@ -91,7 +114,7 @@ impl<'a> ChainMission<'a> {
 
     /// Before anybody senses: who fails at this tick lies on the ground, is seen by nobody, says nothing and hears
     /// nothing from this very instant on.
-    pub fn fail(&mut self, tick: u64, world: &mut World) {
+    pub(super) fn fail(&mut self, tick: u64, world: &mut World) {
         let mut flying = std::mem::take(&mut self.flying);
         flying.retain(|&uav| {
             let has_failed = self.has_failed(uav, tick);
@@ -107,13 +130,13 @@ impl<'a> ChainMission<'a> {
     }
 
     /// One exchange of packets: everyone in the air speaks, neighbours and the next UAV in line listen.
-    pub fn exchange(&mut self, tick: u64, world: &World, seen: &mut [Observation]) {
+    pub(super) fn exchange(&mut self, tick: u64, world: &World, seen: &mut [Observation]) {
         self.said.clear();
         self.said.extend(self.nodes.iter().zip(&*seen).map(|(n, o)| n.say(o.ground_speed_mps)));
         for observation in &mut *seen {
             observation.radio = Some(RadioSlot::default());
         }
-        let course = self.course;
+        let course = &*self.course;
         let antenna = |i: usize| {
             let body = &world.bodies()[i];
             Antenna { at: body.at, heading_rad: Some(body.heading_rad()) }
@@ -153,15 +176,28 @@ impl<'a> ChainMission<'a> {
     }
 
     /// Every brain sees the same instant and asks; a dead one asks for nothing any more.
-    pub fn decide(&mut self, tick: u64, seen: &[Observation], asked: &mut [Command]) {
-        self.flying.clear();
+    pub(super) fn decide(&mut self, tick: u64, seen: &[Observation], commands: &mut Vec<Command>) {
+        commands.clear();
         for i in 0..self.nodes.len() {
-            asked[i] =
-                if self.has_failed(i, tick) { Command::default() } else { self.nodes[i].decide(&seen[i]) };
-            if asked[i].airborne {
-                self.flying.push(i);
+            let has_failed = self.has_failed(i, tick);
+            let decided = seen.get(i).filter(|_| !has_failed).map(|seen| self.nodes[i].decide(seen));
+            commands.push(decided.unwrap_or_default());
+        }
+    }
+
+    /// Who is in the air by these commands, and who waits in line: whoever gave them, a dead UAV does nothing any more.
+    pub(super) fn take_off_and_land(&mut self, tick: u64, asked: &mut [Command]) {
+        let mut flying = std::mem::take(&mut self.flying);
+        flying.clear();
+        for (i, command) in asked.iter_mut().enumerate() {
+            if self.has_failed(i, tick) {
+                *command = Command::default();
+            }
+            if command.airborne {
+                flying.push(i);
             }
         }
+        self.flying = flying;
         while self.in_line < asked.len()
             && (asked[self.in_line].airborne || self.has_failed(self.in_line, tick))
         {
@@ -170,7 +206,7 @@ impl<'a> ChainMission<'a> {
     }
 
     /// Links of the flying chain as of the last exchange, with the estimates of now.
-    pub fn links(&self) -> impl Iterator<Item = LinkFrame> {
+    pub(super) fn links(&self) -> impl Iterator<Item = LinkFrame> {
         self.links.iter().enumerate().map(|(place, &(uav, true_db))| {
             let behind = self.links.get(place + 1).map(|&(uav, _)| &self.nodes[uav]);
             let rear_s = behind.map_or_else(|| self.base.ear.silent_s(), Node::front_silent_s);
@@ -185,7 +221,7 @@ impl<'a> ChainMission<'a> {
     }
 
     /// What its pilot's wish has become when overrides have had their say (m/s); `None` while the head cannot fly freely.
-    pub fn head_allowed_mps(&self) -> Option<f32> {
+    pub(super) fn head_allowed_mps(&self) -> Option<f32> {
         self.nodes.first().and_then(Node::allowed_mps)
     }
 }

@@ -3,6 +3,7 @@
 mod brains;
 mod config;
 mod frame;
+mod history;
 #[cfg(feature = "record")]
 mod mcap;
 mod metrics;
@@ -10,57 +11,79 @@ mod metrics;
 mod picture;
 mod plan;
 mod scene;
+mod shown;
+mod words;
+
+use std::sync::Arc;
 
 use glam::Vec2;
 use uchain_core::chain::{Command, Observation};
 
+use super::{Mission, Stopped};
 use crate::{
-    clock::{period_ticks, time_s},
-    map::{Geodesic, Trail},
+    clock::{period_ticks, time_s, total_ticks},
+    map::Trail,
     record::{RecordError, Recorder},
     seed::{Seed, Source},
     sense::{FlowNoise, GridRays, Rays, TofBeams, TofNoise, read_tof},
-    world::World,
+    world::{Waypoint, World},
 };
 
-pub use brains::ChainMission;
-#[cfg(feature = "schema")]
-pub(crate) use config::schema;
+use brains::Brains;
 pub use config::{ChainConfig, PilotStep, Scenario, UAVS_MAX};
-pub(crate) use config::{KEYS, thresholds};
 pub(crate) use frame::spread_db;
 pub use frame::{Frame, HeadFrame, History, LinkFrame, Moment, Silence, UavFrame};
+pub use history::ThinnedHistory;
 #[cfg(feature = "record")]
 pub use mcap::McapRecorder;
 pub use metrics::{LinkSummary, Metrics, Summary, Timeline};
 #[cfg(feature = "draw")]
 pub use picture::{plan_png, run_picture, run_png};
 pub use plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan};
-pub use scene::{Course, Spawn, Yardstick};
+pub use scene::{Course, CourseOptimum, Spawn};
+pub use shown::Moments;
 
-/// A chain mission under way.
+/// A chain under way.
 #[derive(Debug)]
-pub struct Sim<'a, R = GridRays> {
+pub struct Chain<R = GridRays> {
+    course: Arc<Course>,
     world: World,
-    mission: ChainMission<'a>,
-    senses: Senses<'a, R>,
-    from_base: &'a Geodesic,
+    brains: Brains,
+    senses: Senses<R>,
     trail: Trail,
     decision_ticks: u64,
+    last_tick: u64,
     tick: u64,
+    /// Whether what was sensed is of this very tick.
+    has_sensed: bool,
     seen: Vec<Observation>,
     asked: Vec<Command>,
+    /// Room for what the brains decide.
+    commands: Vec<Command>,
     frame: Frame,
 }
 
 /// The sensors of all UAVs.
 #[derive(Debug)]
-struct Senses<'a, R> {
-    rays: &'a R,
+struct Senses<R> {
+    rays: Arc<R>,
     beams: TofBeams,
     tof_ticks: u64,
     tof_noise: Vec<TofNoise>,
     flow: Vec<FlowNoise>,
+}
+
+impl<R> Senses<R> {
+    /// Sensors that have measured nothing yet.
+    fn reset(&mut self, course: &Course, seed: Seed) {
+        let (scenario, uavs) = (&course.scenario, 0..course.spawns.len() as u32);
+        let tof = |i| TofNoise::new(seed.stream(i, Source::Tof), scenario.tof.clone());
+        let flow = |i| FlowNoise::new(seed.stream(i, Source::Flow), scenario.flow.clone());
+        self.tof_noise.clear();
+        self.tof_noise.extend(uavs.clone().map(tof));
+        self.flow.clear();
+        self.flow.extend(uavs.map(flow));
+    }
 }
 
 /// Places and headings in which the UAVs wait.
@@ -68,54 +91,115 @@ fn spawns(course: &Course) -> impl Iterator<Item = (Vec2, f32)> {
     course.spawns.iter().map(|spawn| (spawn.at, spawn.heading_rad))
 }
 
-impl<'a> Sim<'a> {
-    /// A mission at its first tick.
-    pub fn new(course: &'a Course, seed: u64) -> Self {
-        let world = World::new(course.map.clone(), course.scenario.motion.clone(), spawns(course));
-        Self::start(course, seed, &course.rays, world)
+impl Mission for Chain {
+    type Scene = Course;
+    type Observation = Observation;
+    type Command = Command;
+    type Frame = Frame;
+    type Metrics = Metrics;
+    type Summary = Summary;
+
+    fn start(course: Arc<Course>, seed: u64) -> Self {
+        let world = World::new(course.map.clone(), course.scenario.motion.clone(), spawns(&course));
+        let rays = course.rays.clone();
+        Self::with(course, seed, rays, world)
+    }
+
+    fn reset(&mut self, seed: u64) {
+        let start = |spawn: &Spawn| Waypoint { at: spawn.at, z_m: 0.0, heading_rad: spawn.heading_rad };
+        if self.world.reset(self.course.spawns.iter().map(start)).is_err() {
+            self.world = World::new(
+                self.course.map.clone(),
+                self.course.scenario.motion.clone(),
+                spawns(&self.course),
+            );
+        }
+        self.restart(seed);
+    }
+
+    fn scene(&self) -> &Arc<Course> {
+        &self.course
+    }
+
+    fn sense(&mut self) -> &[Observation] {
+        self.look();
+        &self.seen
+    }
+
+    fn decide(&mut self, commands: &mut Vec<Command>) {
+        self.brains.decide(self.tick, &self.seen, commands);
+    }
+
+    fn act(&mut self, commands: &[Command]) -> Option<Stopped> {
+        self.obey(commands)
+    }
+
+    fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    fn commands(&mut self) -> &mut Vec<Command> {
+        &mut self.commands
     }
 }
 
 #[cfg(feature = "oracles")]
-impl<'a, R: Rays> Sim<'a, R> {
-    /// The same mission with these rays and every UAV in rapier at every tick: the slow way, and the measure of
-    /// [`Sim::new`] in tests and benchmarks. With [`Course::rays`] it has the same bits until something touches; with
+impl<R: Rays> Chain<R> {
+    /// The same chain with these rays and every UAV in rapier at every tick: the slow way, and the measure of
+    /// [`Chain::start`] in tests and benchmarks. With [`Course::rays`] it has the same bits until something touches; with
     /// [`ParryRays`](crate::sense::ParryRays) it is what the libraries do by themselves.
-    pub fn plain(course: &'a Course, seed: u64, rays: &'a R) -> Self {
-        let world = World::ungated(course.map.clone(), course.scenario.motion.clone(), spawns(course));
-        Self::start(course, seed, rays, world)
+    pub fn plain(course: Arc<Course>, seed: u64, rays: Arc<R>) -> Self {
+        let world = World::ungated(course.map.clone(), course.scenario.motion.clone(), spawns(&course));
+        Self::with(course, seed, rays, world)
     }
 }
 
-impl<'a, R: Rays> Sim<'a, R> {
-    fn start(course: &'a Course, seed: u64, rays: &'a R, world: World) -> Self {
-        let (scenario, seed) = (&course.scenario, Seed(seed));
-        let robots = 0..course.spawns.len() as u32;
-        let tof = |i| TofNoise::new(seed.stream(i, Source::Tof), scenario.tof.clone());
-        let flow = |i| FlowNoise::new(seed.stream(i, Source::Flow), scenario.flow.clone());
+impl<R: Rays> Chain<R> {
+    fn with(course: Arc<Course>, seed: u64, rays: Arc<R>, world: World) -> Self {
+        let scenario = &course.scenario;
+        let uavs = course.spawns.len();
         let senses = Senses {
             rays,
             beams: TofBeams::new(&scenario.tof),
             tof_ticks: period_ticks(scenario.tof.period_s),
-            tof_noise: robots.clone().map(tof).collect(),
-            flow: robots.clone().map(flow).collect(),
+            tof_noise: Vec::with_capacity(uavs),
+            flow: Vec::with_capacity(uavs),
         };
-        Self {
+        let mut chain = Self {
             world,
-            mission: ChainMission::new(course, seed),
+            brains: Brains::new(course.clone(), Seed(seed)),
             senses,
-            from_base: &course.from_base,
             trail: Trail::default(),
             decision_ticks: period_ticks(scenario.equalize.decision_s),
+            last_tick: total_ticks(scenario.duration_s),
             tick: 0,
-            seen: vec![Observation::default(); robots.len()],
-            asked: vec![Command::default(); robots.len()],
+            has_sensed: false,
+            seen: vec![Observation::default(); uavs],
+            asked: vec![Command::default(); uavs],
+            commands: Vec::with_capacity(uavs),
             frame: Frame {
-                uavs: Vec::with_capacity(robots.len()),
-                links: Vec::with_capacity(robots.len()),
+                uavs: Vec::with_capacity(uavs),
+                links: Vec::with_capacity(uavs),
                 ..Frame::default()
             },
-        }
+            course,
+        };
+        chain.senses.reset(&chain.course, Seed(seed));
+        chain
+    }
+
+    /// Everything but the world as it was before the first tick.
+    fn restart(&mut self, seed: u64) {
+        self.brains.reset(Seed(seed));
+        self.senses.reset(&self.course, Seed(seed));
+        self.trail = Trail::default();
+        (self.tick, self.has_sensed) = (0, false);
+        self.seen.fill(Observation::default());
+        self.asked.fill(Command::default());
+        self.frame.uavs.clear();
+        self.frame.links.clear();
+        let (uavs, links) = (std::mem::take(&mut self.frame.uavs), std::mem::take(&mut self.frame.links));
+        self.frame = Frame { uavs, links, ..Frame::default() };
     }
 
     /// All UAVs and the walls around them.
@@ -123,31 +207,39 @@ impl<'a, R: Rays> Sim<'a, R> {
         &self.world
     }
 
-    /// One tick.
+    /// One tick, as [`Mission::step`] has it, with whatever rays.
     ///
     /// # Errors
     /// Only the recorder's own.
-    pub fn step(&mut self, out: &mut impl Recorder<Frame>) -> Result<(), RecordError> {
-        let decision = self.tick.is_multiple_of(self.decision_ticks);
-        self.mission.fail(self.tick, &mut self.world);
-        self.sense(decision);
-        self.mission.decide(self.tick, &self.seen, &mut self.asked);
-        self.world.act(&self.asked);
-        self.world.advance();
-        self.tick += 1;
-        self.fill_frame(decision);
-        out.frame(&self.frame)
+    pub fn step(&mut self, out: &mut impl Recorder<Frame>) -> Result<Option<Stopped>, RecordError> {
+        let mut commands = std::mem::take(&mut self.commands);
+        self.look();
+        self.brains.decide(self.tick, &self.seen, &mut commands);
+        let stopped = self.obey(&commands);
+        self.commands = commands;
+        out.frame(&self.frame)?;
+        Ok(stopped)
+    }
+
+    /// Whether radio and laws run at this tick.
+    fn is_decision(&self) -> bool {
+        self.tick.is_multiple_of(self.decision_ticks)
     }
 
     /// What every UAV may know at this instant.
-    fn sense(&mut self, decision: bool) {
-        let pilot = self.mission.pilot_at(time_s(self.tick));
+    fn look(&mut self) {
+        if std::mem::replace(&mut self.has_sensed, true) {
+            return;
+        }
+        let decision = self.is_decision();
+        self.brains.fail(self.tick, &mut self.world);
+        let pilot = self.brains.pilot_at(time_s(self.tick));
         let ranging = self.tick.is_multiple_of(self.senses.tof_ticks);
         for (i, body) in self.world.bodies().iter().enumerate() {
             let seen = &mut self.seen[i];
             *seen = Observation { pilot: (i == 0).then_some(pilot), ..Observation::default() };
             if ranging && body.airborne {
-                let exact = read_tof(self.senses.rays, &self.world, i, &self.senses.beams);
+                let exact = read_tof(&*self.senses.rays, &self.world, i, &self.senses.beams);
                 seen.tof = Some(self.senses.tof_noise[i].apply(exact));
             }
             if decision {
@@ -155,8 +247,24 @@ impl<'a, R: Rays> Sim<'a, R> {
             }
         }
         if decision {
-            self.mission.exchange(self.tick, &self.world, &mut self.seen);
+            self.brains.exchange(self.tick, &self.world, &mut self.seen);
         }
+    }
+
+    /// The UAVs do as they are told, and a tick passes.
+    fn obey(&mut self, commands: &[Command]) -> Option<Stopped> {
+        self.look();
+        let decision = self.is_decision();
+        for (asked, command) in self.asked.iter_mut().zip(commands) {
+            *asked = *command;
+        }
+        self.brains.take_off_and_land(self.tick, &mut self.asked);
+        self.world.act(&self.asked);
+        self.world.advance();
+        self.tick += 1;
+        self.has_sensed = false;
+        self.fill_frame(decision);
+        (self.tick >= self.last_tick).then_some(Stopped::Time)
     }
 
     fn fill_frame(&mut self, decision: bool) {
@@ -176,7 +284,7 @@ impl<'a, R: Rays> Sim<'a, R> {
             uav_contacts: body.uav_contacts,
             tof: seen.tof,
         }));
-        let allowed_mps = self.mission.head_allowed_mps().filter(|_| self.world.bodies()[0].airborne);
+        let allowed_mps = self.brains.head_allowed_mps().filter(|_| self.world.bodies()[0].airborne);
         frame.head = allowed_mps.map(|allowed_mps| HeadFrame {
             pilot_mps: self.seen[0].pilot.unwrap_or_default().speed_mps,
             allowed_mps,
@@ -184,10 +292,10 @@ impl<'a, R: Rays> Sim<'a, R> {
         });
         if decision {
             frame.links.clear();
-            frame.links.extend(self.mission.links());
+            frame.links.extend(self.brains.links());
             let head = self.world.bodies()[0].at;
             // A head pressed against a wall can stand a hair inside it; the last reach holds.
-            if let Some(reach_m) = self.from_base.follow_m(self.world.map(), &mut self.trail, head) {
+            if let Some(reach_m) = self.course.from_base.follow_m(self.world.map(), &mut self.trail, head) {
                 frame.head_reach_m = reach_m;
             }
         }
@@ -202,19 +310,19 @@ mod tests {
     use crate::{config::builtin, mission::chain::Scenario};
 
     /// `straight` without losses at random, with these planned faults.
-    fn course(dead: &str) -> Course {
+    fn course(dead: &str) -> Arc<Course> {
         let source = builtin("straight").unwrap();
         let sets = ["packets.drop_rate=0".to_owned(), format!("faults.dead=[{dead}]")];
-        Course::lay(Scenario::parse(&source, &sets).unwrap(), &source).unwrap()
+        Course::lay_out(Scenario::parse(&source, &sets).unwrap(), &source).unwrap()
     }
 
     /// What every UAV saw at this instant, and the frame of the tick that began then.
-    fn at(course: &Course, time_s: f64) -> (Vec<Observation>, Frame) {
-        let mut sim = Sim::new(course, 1);
-        while crate::clock::time_s(sim.tick) <= time_s {
-            sim.step(&mut ()).unwrap();
+    fn at(course: &Arc<Course>, time_s: f64) -> (Vec<Observation>, Frame) {
+        let mut chain = Chain::start(course.clone(), 1);
+        while crate::clock::time_s(chain.tick) <= time_s {
+            chain.step(&mut ()).unwrap();
         }
-        (sim.seen, sim.frame)
+        (chain.seen, chain.frame)
     }
 
     /// Whom the head hears behind itself at this instant: for how long it has flown (s).
@@ -252,7 +360,7 @@ mod tests {
                 "chain.spawns_m=[[1.0, 0.0], [0.8, 0.2]]".to_owned(),
                 format!("faults.dead=[{dead}]"),
             ];
-            Course::lay(Scenario::parse(&source, &sets).unwrap(), &source).unwrap()
+            Course::lay_out(Scenario::parse(&source, &sets).unwrap(), &source).unwrap()
         };
         let rear_m = |dead: &str| at(&hovering(dead), 1.0).0[0].tof.unwrap().sw_m;
         let alone = rear_m("{ uav = 1, start_s = 0 }");

@@ -118,8 +118,8 @@ pub struct PlanRow {
 /// A tunnel of unknown middle; a depth beyond its end; a depth or a step that is not positive; more than
 /// [`MOST_ROWS`] rows.
 pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64, uavs: Option<usize>) -> Result<Plan, PlanError> {
-    let yardstick = course.yardstick().ok_or(PlanError::NoTunnel)?;
-    let tunnel_m = yardstick.tunnel().length_m();
+    let optimum = course.optimum().ok_or(PlanError::NoTunnel)?;
+    let tunnel_m = optimum.tunnel().length_m();
     let to_m = to_m.unwrap_or(tunnel_m);
     for (key, got) in [("to_m", to_m), ("step_m", step_m)] {
         if got.is_nan() || got <= 0.0 {
@@ -153,9 +153,9 @@ pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64, uavs: Option<usize>
     let mut feasible_so_far = true;
     for step in 1..=steps as usize {
         let depth_m = (step as f64 * step_m).min(to_m).min(tunnel_m);
-        let links = yardstick.links_needed(depth_m);
+        let links = optimum.links_needed(depth_m);
         let listed = bounded(links.or(uavs).unwrap_or(MOST_LISTED), 1, MOST_LISTED);
-        let bottleneck = |links| yardstick.optimum(depth_m, links).bottleneck_db;
+        let bottleneck = |links| optimum.optimum(depth_m, links).bottleneck_db;
         let relays_needed = links.map(|links| links - 1);
         let time_min = clock.time_min(depth_m);
         for relay in plan.launches.len() + 1..=relays_needed.unwrap_or_default() {
@@ -218,7 +218,7 @@ mod tests {
     use super::*;
     use crate::config::builtin;
 
-    fn course(name: &str, sets: &[&str]) -> Course {
+    fn course(name: &str, sets: &[&str]) -> std::sync::Arc<Course> {
         let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
         Course::read(&builtin(name).unwrap(), &sets).unwrap()
     }
@@ -260,8 +260,7 @@ mod tests {
         assert_eq!(words(None, 0.0), "step_m = 0: must be more than 0");
         assert_eq!(words(Some(f64::NAN), 1.0), "to_m = NaN: must be more than 0");
         assert_eq!(words(Some(10.0), 0.001), "step_m = 0.001: 10 m in such steps are more than 1000 rows");
-        let mut lost = course.clone();
-        lost.tunnel = None;
+        let lost = Course { tunnel: None, ..(*course).clone() };
         assert_eq!(plan(&lost, None, 1.0, None).unwrap_err(), PlanError::NoTunnel);
     }
 

@@ -12,24 +12,26 @@ mod metrics;
 #[cfg(feature = "draw")]
 mod picture;
 mod scene;
+mod shown;
 mod team;
+mod words;
+
+use std::sync::Arc;
 
 use glam::Vec2;
 use uchain_core::explore::{Command, Point, Pose, Purpose};
 
+use super::{Mission, Stopped};
+
 use crate::{
     clock::{total_ticks, whole_ticks},
-    record::{RecordError, Recorder},
     seed::{Seed, Source, Stream},
     sense::Scanner,
     world::{MotionParams, PointMass, Quadrotor, Vehicle, Waypoint, World},
 };
 
-pub(crate) use config::KEYS;
-#[cfg(feature = "schema")]
-pub(crate) use config::schema;
 pub use config::{ExploreScenario, TeamConfig, VehicleKind};
-pub use frame::{ExploreFrame, LabelFrame, NodeFrame, Progress, RobotFrame, Stopped};
+pub use frame::{ExploreFrame, LabelFrame, NodeFrame, Progress, RobotFrame};
 pub(crate) use frame::{Odometer, Way};
 pub(crate) use ground::width_but_for_m;
 pub use ground::{Coverage, Ground, Passage, Passages, RosMap, Unseen, Width};
@@ -41,25 +43,44 @@ pub use metrics::{
 #[cfg(feature = "draw")]
 pub use picture::{explore_picture, explore_png, states_png};
 pub use scene::Site;
+pub use shown::Rounds;
 pub use team::Team;
 
-/// What one robot sees at the start of a round: where it believes it is, and a scan if it asked for one.
-type Seen = (Pose, Option<Vec<Option<f32>>>);
+/// What one robot may know at one instant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Observation {
+    /// Where it believes it is, as of the begin of the round.
+    pub pose: Pose,
+    /// Whether a round begins at this instant: all robots have arrived and looked around. Only then there is anything to
+    /// decide.
+    pub arrived: bool,
+    /// Returns of the scan it asked for, one per sector (m; `None` without one); `None` if it asked for none. Empty until a
+    /// round begins.
+    pub scan: Option<Vec<Option<f32>>>,
+}
 
 /// An exploration under way.
 #[derive(Debug)]
-pub struct Exploration<'a> {
-    site: &'a Site,
+pub struct Exploration {
+    site: Arc<Site>,
     team: Team,
     world: World,
     scanner: Scanner,
     /// Noise of where robots believe they are.
     noise: Vec<Stream>,
-    seen: Vec<Seen>,
+    seen: Vec<Observation>,
     /// Where robots stood when the round began.
     stood: Vec<Vec2>,
+    /// Room for what the team decides.
+    commands: Vec<Command>,
     tick: u64,
     rounds: u32,
+    /// Whether what was sensed is of this very tick.
+    has_sensed: bool,
+    /// Whether a round begins at this tick.
+    decision: bool,
+    /// Why nobody has anything left to do.
+    over: Option<Stopped>,
     /// Whether robots look around where they come to.
     scanning: bool,
     /// Tick at which all have looked around; `None` while somebody flies.
@@ -68,83 +89,153 @@ pub struct Exploration<'a> {
     frame: ExploreFrame,
 }
 
-impl<'a> Exploration<'a> {
-    /// A team at its starts, before its first tick. `None` for parameters that no checked site has.
-    pub fn new(site: &'a Site, seed: u64) -> Option<Self> {
-        let (team, params, seed) = (&site.scenario.team, &site.scenario.params, Seed(seed));
-        let z_m = params.height_m(uchain_core::explore::ExploreParams::USUAL_LEVEL);
-        let start = |(i, &at): (u32, &Vec2)| {
-            let mut stream = seed.stream(i, Source::Start);
-            let mut aside = || team.scatter_m * (2.0 * stream.uniform() - 1.0);
-            let at = at + Vec2::new(aside(), aside());
-            Waypoint { at, z_m, heading_rad: team.heading_deg.to_radians() }
-        };
-        let body = |at| -> Box<dyn Vehicle> {
-            match team.vehicle {
-                VehicleKind::PointMass => Box::new(PointMass::new(at, team.v_mps, team.climb_mps)),
-                VehicleKind::Quadrotor => {
-                    Box::new(Quadrotor::new(at, &team.quadrotor, team.v_mps, team.climb_mps))
-                }
+/// Where the seed puts the robots.
+fn starts(site: &Site, seed: Seed) -> Vec<Waypoint> {
+    let (team, params) = (&site.scenario.team, &site.scenario.params);
+    let z_m = params.height_m(uchain_core::explore::ExploreParams::USUAL_LEVEL);
+    let start = |(i, &at): (u32, &Vec2)| {
+        let mut stream = seed.stream(i, Source::Start);
+        let mut aside = || team.scatter_m * (2.0 * stream.uniform() - 1.0);
+        let at = at + Vec2::new(aside(), aside());
+        Waypoint { at, z_m, heading_rad: team.heading_deg.to_radians() }
+    };
+    (0..u32::from(team.robots)).zip(&site.spawns).map(start).collect()
+}
+
+/// Robots at their starts.
+fn world(site: &Site, seed: Seed) -> World {
+    let (team, params) = (&site.scenario.team, &site.scenario.params);
+    let body = |at| -> Box<dyn Vehicle> {
+        match team.vehicle {
+            VehicleKind::PointMass => Box::new(PointMass::new(at, team.v_mps, team.climb_mps)),
+            VehicleKind::Quadrotor => {
+                Box::new(Quadrotor::new(at, &team.quadrotor, team.v_mps, team.climb_mps))
             }
-        };
-        let robots = 0..u32::from(team.robots);
-        let vehicles: Vec<Box<dyn Vehicle>> = robots.clone().zip(&site.spawns).map(start).map(body).collect();
-        let pending = |body: Waypoint| RobotFrame {
-            x_m: body.at.x,
-            y_m: body.at.y,
-            z_m: body.z_m,
-            heading_rad: body.heading_rad,
-            level: uchain_core::explore::ExploreParams::USUAL_LEVEL,
-            purpose: Purpose::Wait,
-            moves: false,
-            holds: false,
-            mfl: false,
-            wall_contacts: 0,
-            robot_contacts: 0,
-            level_passes: 0,
-        };
-        Some(Self {
-            team: Team::new(&site.scenario, seed)?,
-            scanner: Scanner::new(params),
-            noise: robots.map(|i| seed.stream(i, Source::Position)).collect(),
-            seen: vec![(Pose::default(), Some(Vec::new())); vehicles.len()],
-            stood: Vec::with_capacity(vehicles.len()),
+        }
+    };
+    let motion = MotionParams { radius_m: params.r_body_m, ..MotionParams::default() };
+    World::new(site.map.clone(), motion, starts(site, seed).into_iter().map(body))
+}
+
+/// A robot that has decided nothing yet.
+fn at_rest(body: Waypoint) -> RobotFrame {
+    RobotFrame {
+        x_m: body.at.x,
+        y_m: body.at.y,
+        z_m: body.z_m,
+        heading_rad: body.heading_rad,
+        level: uchain_core::explore::ExploreParams::USUAL_LEVEL,
+        purpose: Purpose::Wait,
+        moves: false,
+        holds: false,
+        mfl: false,
+        wall_contacts: 0,
+        robot_contacts: 0,
+        level_passes: 0,
+    }
+}
+
+impl Mission for Exploration {
+    type Scene = Site;
+    type Observation = Observation;
+    type Command = Command;
+    type Frame = ExploreFrame;
+    type Metrics = ExploreMetrics;
+    type Summary = ExploreSummary;
+
+    fn start(site: Arc<Site>, seed: u64) -> Self {
+        let robots = usize::from(site.scenario.team.robots);
+        let mut exploration = Self {
+            team: Team::new(&site, Seed(seed)),
+            world: world(&site, Seed(seed)),
+            scanner: Scanner::new(&site.scenario.params),
+            noise: Vec::with_capacity(robots),
+            seen: Vec::with_capacity(robots),
+            stood: Vec::with_capacity(robots),
+            commands: Vec::with_capacity(robots),
             tick: 0,
             rounds: 0,
+            has_sensed: false,
+            decision: false,
+            over: None,
             scanning: true,
             ready: None,
             last_tick: total_ticks(site.scenario.duration_s),
-            frame: ExploreFrame {
-                robots: vehicles.iter().map(|body| pending(body.now())).collect(),
-                ..ExploreFrame::default()
-            },
-            world: World::new(
-                site.map.clone(),
-                MotionParams { radius_m: params.r_body_m, ..MotionParams::default() },
-                vehicles,
-            ),
+            frame: ExploreFrame::default(),
             site,
-        })
+        };
+        exploration.restart(Seed(seed));
+        exploration
     }
 
-    /// One tick. Says why, once it is over; then nothing moves any more.
-    ///
-    /// # Errors
-    /// Only the recorder's own.
-    pub fn step(&mut self, out: &mut impl Recorder<ExploreFrame>) -> Result<Option<Stopped>, RecordError> {
-        let decision = self.is_ready();
-        let mut stopped = None;
+    fn reset(&mut self, seed: u64) {
+        self.team = Team::new(&self.site, Seed(seed));
+        if self.world.reset(starts(&self.site, Seed(seed))).is_err() {
+            self.world = world(&self.site, Seed(seed));
+        }
+        self.restart(Seed(seed));
+    }
+
+    fn scene(&self) -> &Arc<Site> {
+        &self.site
+    }
+
+    fn sense(&mut self) -> &[Observation] {
+        self.look();
+        &self.seen
+    }
+
+    fn decide(&mut self, commands: &mut Vec<Command>) {
+        commands.clear();
+        if !self.decision {
+            return;
+        }
+        let places: Vec<Point> = self.stood.iter().copied().map(point).collect();
+        self.over = self.team.round(&self.seen, &places);
+        commands.extend_from_slice(self.team.commands());
+    }
+
+    fn act(&mut self, commands: &[Command]) -> Option<Stopped> {
+        self.look();
+        let decision = self.decision;
         if decision {
-            self.sense();
-            stopped = self.decide();
-            self.act();
+            // A round in which nobody has anything left to do is none.
+            self.rounds += u32::from(self.over.is_none());
+            self.fly(commands);
         }
         self.world.advance();
         self.tick += 1;
-        stopped = stopped.or((self.tick >= self.last_tick).then_some(Stopped::Time));
-        self.fill_frame(decision, stopped);
-        out.frame(&self.frame)?;
-        Ok(stopped)
+        self.has_sensed = false;
+        let stopped = self.over.or((self.tick >= self.last_tick).then_some(Stopped::Time));
+        self.fill_frame(commands, decision, stopped);
+        stopped
+    }
+
+    fn frame(&self) -> &ExploreFrame {
+        &self.frame
+    }
+
+    fn commands(&mut self) -> &mut Vec<Command> {
+        &mut self.commands
+    }
+}
+
+impl Exploration {
+    /// Everything but team and bodies as it was before the first tick.
+    fn restart(&mut self, seed: Seed) {
+        let robots = 0..u32::from(self.site.scenario.team.robots);
+        self.noise.clear();
+        self.noise.extend(robots.map(|i| seed.stream(i, Source::Position)));
+        self.seen.clear();
+        let unseen = || Observation { pose: Pose::default(), arrived: false, scan: Some(Vec::new()) };
+        self.seen.extend(self.world.bodies().iter().map(|_| unseen()));
+        self.stood.clear();
+        (self.tick, self.rounds, self.has_sensed, self.decision) = (0, 0, false, false);
+        (self.over, self.scanning, self.ready) = (None, true, None);
+        let mut robots = std::mem::take(&mut self.frame.robots);
+        robots.clear();
+        robots.extend(self.world.bodies().iter().map(|body| at_rest(body.pose())));
+        self.frame = ExploreFrame { robots, ..ExploreFrame::default() };
     }
 
     /// The team, for whoever checks on what it knows.
@@ -162,36 +253,35 @@ impl<'a> Exploration<'a> {
         self.tick >= ready
     }
 
-    fn sense(&mut self) {
+    /// What every robot may know at this instant.
+    fn look(&mut self) {
+        if std::mem::replace(&mut self.has_sensed, true) {
+            return;
+        }
+        self.decision = self.is_ready();
+        self.seen.iter_mut().for_each(|seen| seen.arrived = self.decision);
+        if !self.decision {
+            return;
+        }
         let sigma_m = self.site.scenario.team.position_sigma_m;
         self.stood.clear();
         for ((body, seen), noise) in self.world.stand().zip(&mut self.seen).zip(&mut self.noise) {
             self.stood.push(body.at);
-            let (pose, scan) = seen;
             let off =
                 if sigma_m > 0.0 { sigma_m * Vec2::new(noise.normal(), noise.normal()) } else { Vec2::ZERO };
-            *pose = Pose { at: point(body.at + off), heading_rad: body.heading_rad };
-            if let Some(returns_m) = scan {
+            seen.pose = Pose { at: point(body.at + off), heading_rad: body.heading_rad };
+            if let Some(returns_m) = &mut seen.scan {
                 self.scanner.scan(&self.site.map, body.at, returns_m);
             }
         }
     }
 
-    fn decide(&mut self) -> Option<Stopped> {
-        let places: Vec<Point> = self.stood.iter().copied().map(point).collect();
-        self.rounds += 1;
-        let over = self.team.round(&self.seen, &places);
-        // A round in which nobody has anything left to do is none.
-        self.rounds -= u32::from(over.is_some());
-        over
-    }
-
     /// A robot flies as far and in the direction it has asked for, from where it stands.
-    fn act(&mut self) {
+    fn fly(&mut self, commands: &[Command]) {
         self.ready = None;
         self.scanning = false;
-        for ((i, command), &from) in self.team.commands().iter().enumerate().zip(&self.stood) {
-            let (pose, scan) = &mut self.seen[i];
+        for ((i, command), &from) in commands.iter().enumerate().zip(&self.stood) {
+            let Some(Observation { pose, scan, .. }) = self.seen.get_mut(i) else { continue };
             let asked = Vec2::new(command.to.x_m - pose.at.x_m, command.to.y_m - pose.at.y_m);
             let at = if point(from) == pose.at { place(command.to) } else { from + asked };
             let to = Waypoint { at, z_m: command.z_m, heading_rad: command.heading_rad };
@@ -202,7 +292,7 @@ impl<'a> Exploration<'a> {
         }
     }
 
-    fn fill_frame(&mut self, decision: bool, stopped: Option<Stopped>) {
+    fn fill_frame(&mut self, commands: &[Command], decision: bool, stopped: Option<Stopped>) {
         let frame = &mut self.frame;
         (frame.tick, frame.rounds, frame.decision, frame.stopped) =
             (self.tick, self.rounds, decision, stopped);
@@ -210,11 +300,12 @@ impl<'a> Exploration<'a> {
         frame.labels.clear();
         frame.edges.clear();
         if decision {
-            let asked = self.team.commands().iter().zip(self.team.targets());
-            for (robot, (command, target)) in frame.robots.iter_mut().zip(asked) {
+            for (i, (robot, command)) in frame.robots.iter_mut().zip(commands).enumerate() {
                 let Command { level, hold, mfl, to, .. } = *command;
                 (robot.level, robot.holds, robot.mfl) = (level, hold, mfl);
-                (robot.purpose, robot.moves) = (target.purpose, to != target.from);
+                if let Some(target) = self.team.targets().get(i) {
+                    (robot.purpose, robot.moves) = (target.purpose, to != target.from);
+                }
             }
             let (whole, news) = (self.team.whole(), self.team.news());
             let count = whole.cones().count();

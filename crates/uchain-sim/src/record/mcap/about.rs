@@ -6,20 +6,18 @@ use glam::Vec2;
 use twox_hash::XxHash64;
 
 use crate::{
-    config::{ConfigError, Source},
     map::{FARTHEST_M, MOST_WALLS, Map, MapError},
     mathematics,
-    mission::{chain::Course, explore::Site},
 };
 
 /// Name of the metadata record.
-pub(super) const METADATA: &str = "uchain";
+pub(crate) const METADATA: &str = "uchain";
 /// Name of the attachment that holds the walls.
-pub(super) const WALLS: &str = "walls.csv";
+pub(crate) const WALLS: &str = "walls.csv";
 /// What `format` says. Another number is another layout.
 const FORMAT: &str = "1";
 /// This version.
-pub(super) const OURS: &str = env!("CARGO_PKG_VERSION");
+pub(crate) const OURS: &str = env!("CARGO_PKG_VERSION");
 /// Longest scenario with every value written out (bytes).
 const TEXT_MAX_BYTES: usize = 1 << 23;
 
@@ -40,7 +38,8 @@ pub struct About {
 }
 
 impl About {
-    pub(crate) fn of(scenario: String, map: &Map, seed: u64) -> Self {
+    /// A run of this version, with this mathematics: a whole scenario in TOML in these walls.
+    pub fn of(scenario: String, map: &Map, seed: u64) -> Self {
         let version = OURS.to_owned();
         let mathematics = Some(mathematics::fingerprint());
         Self { scenario, seed, version, map_offset_m: map.offset_m(), mathematics }
@@ -48,7 +47,7 @@ impl About {
 
     /// The entries of the metadata record. No checksum of MCAP covers it in a file that was cut short, so it
     /// brings its own.
-    pub(super) fn entries(&self) -> BTreeMap<String, String> {
+    pub(crate) fn entries(&self) -> BTreeMap<String, String> {
         let [x_m, y_m] = self.map_offset_m;
         let mut entries = BTreeMap::from([
             ("format".to_owned(), FORMAT.to_owned()),
@@ -63,7 +62,7 @@ impl About {
         entries
     }
 
-    pub(super) fn from_entries(mut entries: BTreeMap<String, String>) -> Result<Self, String> {
+    pub(crate) fn from_entries(mut entries: BTreeMap<String, String>) -> Result<Self, String> {
         let format = entries.get("format").map_or("", String::as_str);
         if format != FORMAT {
             return Err(format!("format = {format:?}: expected {FORMAT:?}"));
@@ -90,26 +89,6 @@ impl About {
         let version = take("version")?;
         let mathematics = entries.remove("mathematics");
         Ok(Self { scenario, seed, version, map_offset_m, mathematics })
-    }
-
-    fn source(&self, label: &str) -> Source {
-        let label = format!("{label}, scenario");
-        Source { label, text: self.scenario.clone(), folder: std::path::PathBuf::new() }
-    }
-
-    /// The course that was flown, in the walls that were recorded; `label` names the recording in messages.
-    pub(super) fn course(&self, label: &str, walls: Map) -> Result<Course, ConfigError> {
-        Course::read_in(&self.source(label), walls.with_offset_m(self.map_offset_m))
-    }
-
-    /// The site that was explored, in the walls that were recorded.
-    pub(super) fn site(&self, label: &str, walls: Map) -> Result<Site, ConfigError> {
-        Site::read_in(&self.source(label), walls.with_offset_m(self.map_offset_m))
-    }
-
-    /// Whether it is of an exploration, and not of a chain.
-    pub fn is_exploration(&self) -> bool {
-        self.scenario.parse::<toml::Table>().is_ok_and(|scenario| scenario.contains_key("explore"))
     }
 
     /// Every value in which two recordings' scenarios, seeds or versions differ: its key, here, there; `None`
@@ -163,7 +142,7 @@ fn checksum(entries: &BTreeMap<String, String>) -> String {
 
 /// The walls as a table: a row per corner, loop by loop; the last corner of a loop joins its first. Coordinates
 /// are those of the frame `map` (m), with as many digits as it takes to read the same `f32` again.
-pub(super) fn walls_to_csv(map: &Map) -> String {
+pub(crate) fn walls_to_csv(map: &Map) -> String {
     let mut text = "loop,x_m,y_m\n".to_owned();
     for (index, walls) in map.loops().enumerate() {
         for wall in walls {
@@ -175,7 +154,7 @@ pub(super) fn walls_to_csv(map: &Map) -> String {
 }
 
 /// The map that [`walls_to_csv`] wrote.
-pub(super) fn walls_from_csv(bytes: &[u8]) -> Result<Map, String> {
+pub(crate) fn walls_from_csv(bytes: &[u8]) -> Result<Map, String> {
     let text = std::str::from_utf8(bytes).map_err(|error| error.to_string())?;
     let mut lines = text.lines().enumerate();
     if lines.next().is_none_or(|(_, line)| line != "loop,x_m,y_m") {

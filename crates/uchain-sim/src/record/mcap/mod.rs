@@ -1,6 +1,6 @@
 //! Recordings: a run in one MCAP file, to look at in Foxglove or Rerun, to read back, to fly again.
 //!
-//! [`Out`] writes, [`Recording`] reads. mcap and foxglove live here only. What is in the file:
+//! [`McapRecorder`] writes, [`Opened`] reads. mcap and foxglove live here only. What is in the file:
 //!
 //! | where | what |
 //! |---|---|
@@ -15,13 +15,13 @@
 //! | `/map`, `/uavs`, `/links` | `foxglove.SceneUpdate`: walls and base once; bodies at every change; links, coloured by loss |
 //! | `/log` | `foxglove.Log`: take-offs, failures, contacts, links lost and found |
 //!
-//! Of an exploration ([`ExploreRecorder`]):
+//! Of an exploration:
 //!
 //! | where | what |
 //! |---|---|
 //! | metadata `uchain`, attachment `walls.csv` | as above |
-//! | `/frame` | [`ExploreFrame`](crate::mission::explore::ExploreFrame), every bit, 20 per simulated second; `uchain.proto` |
-//! | `/metrics` | [`Progress`](crate::mission::explore::Progress), one per round; `uchain.proto` |
+//! | `/frame` | `ExploreFrame`, every bit, 20 per simulated second; `uchain.proto` |
+//! | `/metrics` | `Progress`, one per round; `uchain.proto` |
 //! | `/tf`, `/poses` | `foxglove.FrameTransforms`, `foxglove.PosesInFrame`: `robot_0`, `robot_1`, … |
 //! | `/map`, `/robots` | `foxglove.SceneUpdate`: walls and bodies, once |
 //! | `/stars`, `/graph`, `/ways` | `foxglove.SceneUpdate`: stars with their frontiers at every change; new edges; ways round by round |
@@ -31,19 +31,19 @@
 //! are not compressed: they compress to a third at best, and the compressors mcap knows are C libraries. Everything
 //! is covered by a checksum.
 
-mod about;
+pub(crate) mod about;
 mod message;
 mod out;
 mod read;
+mod recorder;
 pub mod scene;
 mod schema;
-#[cfg(test)]
-mod tests;
 
 pub use about::About;
 pub use message::{Recordable, alike, bounded, few, number, set, small, word};
 pub use out::{Channel, Out};
-pub use read::{AnyRecording, End, Frames, PlayError, ReadError, Recording};
+pub use read::{End, Frames, Opened, PlayError, ReadError};
+pub use recorder::{McapRecorder, Topics};
 
 /// Topic of the frames.
 pub const FRAME_TOPIC: &str = "/frame";

@@ -44,22 +44,25 @@ pub struct Out<W: Write> {
 }
 
 impl<W: Write> Out<W> {
-    /// What a recording is of, and the walls.
-    pub fn begin(to: W, about: &About, map: &Map) -> Result<Self, RecordError> {
-        let mut out = Self::new(to)?;
+    /// Begins a file: what a recording is of, and the walls. Messages of our own are described by `proto`.
+    ///
+    /// # Errors
+    /// [`RecordError::Io`].
+    pub fn begin(to: W, about: &About, map: &Map, proto: &str) -> Result<Self, RecordError> {
+        let mut out = Self::new(to, proto)?;
         out.metadata(about::METADATA, about.entries())?;
         out.attachment(about::WALLS, "text/csv", Cow::Owned(about::walls_to_csv(map).into_bytes()))?;
         Ok(out)
     }
 
-    fn new(to: W) -> Result<Self, RecordError> {
+    fn new(to: W, proto: &str) -> Result<Self, RecordError> {
         let options = WriteOptions::new()
             .library(concat!("uchain ", env!("CARGO_PKG_VERSION")))
             .compression(None)
             .chunk_size(Some(CHUNK_BYTES))
             .disable_seeking(true);
         let writer = options.create(NoSeek::new(to)).map_err(plain)?;
-        Ok(Self { writer, sequence: 0, buffer: Vec::new(), own_schemas: schema::descriptors() })
+        Ok(Self { writer, sequence: 0, buffer: Vec::new(), own_schemas: schema::descriptors(proto) })
     }
 
     fn metadata(&mut self, name: &str, metadata: BTreeMap<String, String>) -> Result<(), RecordError> {

@@ -1,4 +1,4 @@
-//! The schema of our own messages, read out of `uchain.proto`: what is committed is what is recorded.
+//! The schema of our own messages, read out of their `.proto` file: what is committed is what is recorded.
 
 use prost::Message as _;
 use prost_types::{
@@ -6,15 +6,14 @@ use prost_types::{
     field_descriptor_proto::{Label, Type},
 };
 
-const PROTO: &str = include_str!("../../mission/uchain.proto");
-
 /// The package, as it stands before every message's name.
 pub(super) const PACKAGE: &str = "uchain";
 
-/// A serialized `FileDescriptorSet` of all our messages.
-pub(super) fn descriptors() -> Vec<u8> {
+/// A serialized `FileDescriptorSet` of all messages of a file in the language of protobuf, of which it knows as much as
+/// our messages need: messages of numbers and lists of them, a field a line.
+pub(super) fn descriptors(proto: &str) -> Vec<u8> {
     let mut messages: Vec<DescriptorProto> = Vec::new();
-    for line in PROTO.lines() {
+    for line in proto.lines() {
         let line = line.split("//").next().unwrap_or_default();
         let words: Vec<&str> = line.split([' ', ';', '=']).filter(|word| !word.is_empty()).collect();
         match (words.as_slice(), messages.last_mut()) {
@@ -62,9 +61,11 @@ fn field(label: Label, kind: &str, name: &str, number: &str) -> Option<FieldDesc
 mod tests {
     use super::*;
 
+    const PROTO: &str = include_str!("../../mission/uchain.proto");
+
     #[test]
     fn every_field_of_the_proto_file_is_in_the_schema() {
-        let set = FileDescriptorSet::decode(descriptors().as_slice()).unwrap();
+        let set = FileDescriptorSet::decode(descriptors(PROTO).as_slice()).unwrap();
         let counts: Vec<(&str, usize)> =
             set.file[0].message_type.iter().map(|message| (message.name(), message.field.len())).collect();
         assert_eq!(counts, [("Frame", 19), ("Metrics", 7), ("ExploreFrame", 29), ("ExploreMetrics", 8)]);

@@ -6,7 +6,7 @@ use std::fmt;
 use super::{Design, DesignError};
 use crate::{
     config::{Origin, Source, shorten},
-    mission::resolve,
+    registry::Registry,
 };
 
 /// A place that gives a key its values.
@@ -40,8 +40,13 @@ struct Entry {
 }
 
 /// Refuses a key that is written twice, and one that lies within another.
-pub(crate) fn refuse(design: &Design, source: &Source, sets: &[String]) -> Result<(), DesignError> {
-    let mut paths = resolve(source, sets, design.keys())?.into_iter();
+pub(crate) fn refuse(
+    registry: Registry,
+    design: &Design,
+    source: &Source,
+    sets: &[String],
+) -> Result<(), DesignError> {
+    let mut paths = registry.resolve(source, sets, design.keys())?.into_iter();
     let mut entries: Vec<Entry> = Vec::new();
     let mut add = |words: String, at: Option<Origin>, list: Option<bool>| {
         let written = Written { words, at };
@@ -95,7 +100,7 @@ mod tests {
         let own = |words: &[&str]| words.iter().map(ToString::to_string).collect::<Vec<_>>();
         let text = DesignText { vary: own(vary), table: table.map(str::to_owned) };
         let design = Design::parse(&text, "d.csv").unwrap();
-        match refuse(&design, &builtin(scenario).unwrap(), &own(sets)) {
+        match refuse(Registry::default(), &design, &builtin(scenario).unwrap(), &own(sets)) {
             Ok(()) => "ok".to_owned(),
             Err(error) => error.to_string(),
         }

@@ -2,7 +2,7 @@
 
 use std::{
     fs,
-    io::Write,
+    ops::ControlFlow,
     path::PathBuf,
     sync::atomic::{AtomicBool, Ordering},
 };
@@ -12,14 +12,9 @@ use rayon::prelude::*;
 use super::{Folder, FolderError, RECORDINGS, chunk, durable};
 use crate::{
     analyse::Column,
-    mission::{
-        Mission,
-        chain::{Frame, McapRecorder},
-        explore::{ExploreFrame, ExploreRecorder},
-    },
-    record::{RecordError, Recorder},
-    run::RunError,
-    sweep::{Flown, Run, Sweep, fly, row::has_failed},
+    record::RecordError,
+    registry::{self, Flown, Now},
+    sweep::{Run, Sweep, fly::caught, row::has_failed},
 };
 
 /// Which chunks: every `of`-th, from number `number`, counted from 1. The sum of all shards is the sweep.
@@ -63,62 +58,12 @@ pub struct Job<'a> {
     pub watch: &'a dyn Watch,
 }
 
-/// Why a run has no end: someone stopped it, or its recording cannot be written.
-type Broken = RunError;
-
 /// Stops a run.
 struct Stop<'a>(&'a dyn Watch);
 
-impl Stop<'_> {
-    fn look(&self, time_s: f64) -> Result<(), RecordError> {
-        if self.0.stop() { Err(RecordError::Interrupted { time_s }) } else { Ok(()) }
-    }
-}
-
-impl Recorder<Frame> for Stop<'_> {
-    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
-        self.look(frame.time_s())
-    }
-}
-
-impl Recorder<ExploreFrame> for Stop<'_> {
-    fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
-        self.look(frame.time_s())
-    }
-}
-
-/// Records a mission of either kind.
-enum Tape<W: Write> {
-    Chain(McapRecorder<W>),
-    Explore(ExploreRecorder<W>),
-}
-
-impl<W: Write> Tape<W> {
-    fn start(out: W, mission: &Mission, seed: u64) -> Result<Self, RecordError> {
-        match mission {
-            Mission::Chain(course) => McapRecorder::start(out, course, seed).map(Self::Chain),
-            Mission::Explore(site) => ExploreRecorder::start(out, site, seed).map(Self::Explore),
-        }
-    }
-
-    fn finish(self) -> Result<(), RecordError> {
-        match self {
-            Self::Chain(recorder) => recorder.finish().map(drop),
-            Self::Explore(recorder) => recorder.finish().map(drop),
-        }
-    }
-}
-
-impl<W: Write> Recorder<Frame> for Tape<W> {
-    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
-        // A mission of the other kind has no such frames.
-        if let Self::Chain(recorder) = self { recorder.frame(frame) } else { Ok(()) }
-    }
-}
-
-impl<W: Write> Recorder<ExploreFrame> for Tape<W> {
-    fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
-        if let Self::Explore(recorder) = self { recorder.frame(frame) } else { Ok(()) }
+impl registry::Watch for Stop<'_> {
+    fn tick(&mut self, _: &Now<'_>) -> ControlFlow<()> {
+        if self.0.stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 
@@ -228,19 +173,18 @@ impl Folder {
         run: Run,
         watch: &dyn Watch,
     ) -> Result<Result<Flown, String>, FolderError> {
-        let mission = match sweep.mission(run) {
-            Ok(mission) => mission,
+        let scene = match sweep.scene(run) {
+            Ok(scene) => scene,
             Err(reason) => return Ok(Err(reason)),
         };
         let path = self.recording(run);
         let folder = self.path.join(RECORDINGS);
         fs::create_dir_all(&folder).map_err(FolderError::io(&folder, "make the folder"))?;
         durable::write(&path, |out| {
-            let broken = |error: RecordError| self.broken(run, error.into());
-            let mut tape = Tape::start(out, &mission, run.seed).map_err(broken)?;
-            let flown = sweep.one(run, |mission, run| fly(mission, run.seed, &mut (Stop(watch), &mut tape)));
-            let flown = whole(flown).map_err(|error| self.broken(run, error))?;
-            tape.finish().map_err(broken)?;
+            let broken = |error: RecordError| self.broken(run, error);
+            let mut recorded = scene.record(run.seed, Box::new(out)).map_err(broken)?;
+            let flown = whole(caught(|| recorded.fly(&mut Stop(watch)))).map_err(broken)?;
+            recorded.finish().map_err(broken)?;
             Ok(flown)
         })
     }
@@ -249,26 +193,22 @@ impl Folder {
         self.path.join(RECORDINGS).join(format!("run-{:08}.mcap", run.index))
     }
 
-    fn broken(&self, run: Run, error: Broken) -> FolderError {
+    /// Why a run has no end: someone stopped it, or its recording cannot be written.
+    fn broken(&self, run: Run, error: RecordError) -> FolderError {
         match error {
-            RunError::Record(RecordError::Interrupted { .. }) | RunError::Params => FolderError::Interrupted,
-            RunError::Record(RecordError::Io(cause)) => FolderError::io(&self.recording(run), "write")(cause),
+            RecordError::Interrupted { .. } => FolderError::Interrupted,
+            RecordError::Io(cause) => FolderError::io(&self.recording(run), "write")(cause),
         }
     }
 }
 
-fn unrecorded(sweep: &Sweep, run: Run, watch: &dyn Watch) -> Result<Result<Flown, String>, Broken> {
-    whole(sweep.one(run, |mission, run| fly(mission, run.seed, &mut Stop(watch))))
+fn unrecorded(sweep: &Sweep, run: Run, watch: &dyn Watch) -> Result<Result<Flown, String>, RecordError> {
+    whole(sweep.one(run, |scene, run| scene.fly(run.seed, &mut Stop(watch))))
 }
 
 /// A run that was stopped is no row; one that failed by itself is.
-fn whole(flown: Result<Result<Flown, RunError>, String>) -> Result<Result<Flown, String>, Broken> {
-    match flown {
-        Ok(Err(error @ RunError::Params)) => Ok(Err(format!("not flown: {error}"))),
-        Ok(Err(error)) => Err(error),
-        Ok(Ok(flown)) => Ok(Ok(flown)),
-        Err(reason) => Ok(Err(reason)),
-    }
+fn whole(flown: Result<Result<Flown, RecordError>, String>) -> Result<Result<Flown, String>, RecordError> {
+    flown.map_or_else(|reason| Ok(Err(reason)), |flown| flown.map(Ok))
 }
 
 /// Stops when the caller says so, or when another thread cannot go on.

@@ -12,6 +12,7 @@ use twox_hash::XxHash64;
 use super::{FolderError, MANIFEST, chunk, durable, table::Seal};
 use crate::{
     config::Source,
+    registry::Registry,
     sweep::{Design, DesignError, DesignText, Sweep},
 };
 
@@ -111,14 +112,14 @@ impl Manifest {
     ///
     /// # Errors
     /// Those of [`Design::parse`] and [`Sweep::new`]: this version does not know the scenario any more.
-    pub fn sweep(&self, folder: &Path) -> Result<Sweep, DesignError> {
+    pub fn sweep(&self, registry: Registry, folder: &Path) -> Result<Sweep, DesignError> {
         let source = Source {
             label: format!("<scenario {}>", self.name),
             text: self.scenario.clone(),
             folder: folder.to_owned(),
         };
         let design = Design::parse(&self.design, "<design>")?;
-        Sweep::new(source, self.set.clone(), design, self.replicates, self.seed)
+        Sweep::of(registry, source, self.set.clone(), design, self.replicates, self.seed)
     }
 
     /// Names the sweep in its chunks.

@@ -7,6 +7,7 @@ use super::{
     table::{REMEDY, Sealing, damaged, seal_of},
 };
 use crate::analyse::{Cell, Column, Kind};
+use crate::registry::Registry;
 
 /// Makes one table of shards that were flown into folders of their own. The shards stay as they are. One that has every
 /// run has its table already, and gives that.
@@ -14,8 +15,9 @@ use crate::analyse::{Cell, Column, Kind};
 /// # Errors
 /// The folders hold different sweeps or different rows for the same runs, runs are missing, or the table cannot be
 /// written. Nothing is written unless all runs are there.
-pub fn merge(folders: &[impl AsRef<Path>], out: &Path) -> Result<Totals, FolderError> {
-    let shards = folders.iter().map(|path| Folder::open(path.as_ref())).collect::<Result<Vec<_>, _>>()?;
+pub fn merge(registry: Registry, folders: &[impl AsRef<Path>], out: &Path) -> Result<Totals, FolderError> {
+    let open = |path: &Path| Folder::open(path).map(|folder| folder.with_missions(registry));
+    let shards = folders.iter().map(|path| open(path.as_ref())).collect::<Result<Vec<_>, _>>()?;
     let Some(first) = shards.first() else { return Err(FolderError::NoSweep { folder: out.to_owned() }) };
     for shard in &shards {
         if let Some(what) = shard.manifest().differs(first.manifest()) {
@@ -30,7 +32,8 @@ pub fn merge(folders: &[impl AsRef<Path>], out: &Path) -> Result<Totals, FolderE
         }
     }
     let holders = if whole.is_some() { Vec::new() } else { holders(&shards, first, &columns)? };
-    let merged = Folder::begin(out, first.manifest().clone(), &first.on_disk.folder, true)?;
+    let merged =
+        Folder::begin(out, first.manifest().clone(), &first.on_disk.folder, true)?.with_missions(registry);
     for shard in &shards {
         copy_recordings(shard, &merged)?;
     }

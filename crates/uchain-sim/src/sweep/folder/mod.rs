@@ -30,6 +30,7 @@ pub use totals::Totals;
 
 use super::{Sweep, row::FAILED};
 use crate::analyse::{Cell, Column};
+use crate::registry::Registry;
 use manifest::OnDisk;
 use table::{REMEDY, Table, damaged, seal_of};
 
@@ -46,6 +47,8 @@ const RECORDINGS: &str = "recordings";
 #[derive(Debug)]
 pub struct Folder {
     path: PathBuf,
+    /// Missions that its scenario may be of.
+    registry: Registry,
     on_disk: OnDisk,
     hash: String,
     /// Whether the bytes of the table were found to be those that were written.
@@ -114,7 +117,14 @@ impl Folder {
 
     fn of(path: &Path, on_disk: OnDisk, lock: Option<Lock>) -> Self {
         let hash = on_disk.manifest.hash();
-        Self { path: path.to_owned(), on_disk, hash, is_checked: OnceLock::new(), _lock: lock }
+        Self {
+            path: path.to_owned(),
+            registry: Registry::default(),
+            on_disk,
+            hash,
+            is_checked: OnceLock::new(),
+            _lock: lock,
+        }
     }
 
     /// What a killed process may not have come to: a folder for chunks, and none once there is a table.
@@ -149,12 +159,18 @@ impl Folder {
         &self.on_disk.manifest
     }
 
+    /// From here on its scenario may be of these missions, and of no others.
+    #[must_use]
+    pub fn with_missions(self, registry: Registry) -> Self {
+        Self { registry, ..self }
+    }
+
     /// The sweep, ready to be flown by this version.
     ///
     /// # Errors
     /// This version does not know the scenario any more.
     pub fn sweep(&self) -> Result<Sweep, FolderError> {
-        Ok(self.on_disk.manifest.sweep(&self.on_disk.folder)?)
+        Ok(self.on_disk.manifest.sweep(self.registry, &self.on_disk.folder)?)
     }
 
     /// Where it is.

@@ -8,7 +8,10 @@ use super::super::{
     explain,
     schema::{schema, schema_of, schema_with_table},
 };
-use crate::mission::{chain, explore};
+use crate::{
+    mission::{Scene as _, chain::Course, explore::Site},
+    registry::Registry,
+};
 
 uchain_core::params! {
     /// Robots in a ring.
@@ -30,8 +33,8 @@ const RING_KEYS: Keys = Keys {
 fn of_three() -> Value {
     schema([
         (&RING_KEYS, schema_with_table(&RING, [schema_of::<RingConfig>()])),
-        (&chain::KEYS, chain::schema()),
-        (&explore::KEYS, explore::schema()),
+        (Course::KEYS, Course::schema()),
+        (Site::KEYS, Site::schema()),
     ])
 }
 
@@ -69,7 +72,7 @@ fn each_mission_has_its_own_keys_and_no_others() {
 
 #[test]
 fn a_further_mission_leaves_what_is_said_of_the_others_and_is_explained() {
-    let (three, two) = (of_three(), crate::mission::schema());
+    let (three, two) = (of_three(), Registry::default().schema());
     for (name, key) in two["properties"].as_object().unwrap() {
         assert_eq!(&three["properties"][name], key, "{name}");
     }
@@ -80,7 +83,7 @@ fn a_further_mission_leaves_what_is_said_of_the_others_and_is_explained() {
         (&json!(["radius_m"]), &json!(10.0))
     );
 
-    let known = KnownKeys::of(&[&chain::KEYS, &explore::KEYS, &RING_KEYS]);
+    let known = KnownKeys::of(&[Course::KEYS, Site::KEYS, &RING_KEYS]);
     let explain = |name: &str| explain(name, &three, &known);
     assert_eq!(explain("ring").unwrap().len(), 2);
     assert_eq!(explain("ring.radius_m").unwrap()[0].range, Some((0.1, 10.0)));
@@ -92,11 +95,14 @@ fn a_further_mission_leaves_what_is_said_of_the_others_and_is_explained() {
 
 #[test]
 fn what_only_chains_have_is_refused_in_an_exploration_in_words() {
-    let schema = crate::mission::schema();
+    let schema = Registry::default().schema();
     let foreign = schema["then"]["properties"].as_object().unwrap();
     assert_eq!(foreign.len(), 14);
     let said = |set: &str| {
-        let read = explore::ExploreScenario::parse(&builtin("apartment").unwrap(), &[set.to_owned()]);
+        let read = crate::mission::explore::ExploreScenario::parse(
+            &builtin("apartment").unwrap(),
+            &[set.to_owned()],
+        );
         read.map_or_else(|error| error.to_string(), |_| "ok".to_owned())
     };
     for key in foreign.keys() {
@@ -116,12 +122,12 @@ fn what_only_chains_have_is_refused_in_an_exploration_in_words() {
 
 #[test]
 fn a_mission_alone_asks_for_all_it_needs() {
-    let alone = schema([(&chain::KEYS, chain::schema())]);
+    let alone = schema([(Course::KEYS, Course::schema())]);
     assert!(alone.get("if").is_none());
     assert!(takes(&alone, &["name", "duration_s", "map", "chain", "pilot"]));
     assert!(!takes(&alone, &["name", "duration_s", "map", "chain"]));
     // Without a mission for what has no marker, nothing else is a scenario.
-    let marked = schema([(&explore::KEYS, explore::schema())]);
+    let marked = schema([(Site::KEYS, Site::schema())]);
     assert!(takes(&marked, &["name", "duration_s", "map", "explore"]));
     assert!(!takes(&marked, &["name", "duration_s", "map"]));
 }

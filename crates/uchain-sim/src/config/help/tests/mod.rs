@@ -7,12 +7,22 @@ use super::{
     Explanation,
     schema::entries,
 };
-use crate::mission::{
-    chain::{self, ChainConfig, Scenario, UAVS_MAX},
-    explain,
-    explore::{self, ExploreScenario},
-    schema,
+use crate::{
+    mission::{
+        Scene as _,
+        chain::{ChainConfig, Course, Scenario, UAVS_MAX},
+        explore::{ExploreScenario, Site},
+    },
+    registry::Registry,
 };
+
+fn explain(name: &str) -> Result<Vec<Explanation>, ConfigError> {
+    Registry::default().explain(name)
+}
+
+fn schema() -> serde_json::Value {
+    Registry::default().schema()
+}
 
 /// Scenarios that have every table between them.
 const STRAIGHT: &str = "straight";
@@ -44,7 +54,7 @@ fn parse_for(key: &str, set: &str) -> Result<String, ConfigError> {
 
 /// The keys that are looked up.
 fn known() -> KnownKeys {
-    KnownKeys::of(&[&chain::KEYS, &explore::KEYS])
+    KnownKeys::of(&[Course::KEYS, Site::KEYS])
 }
 
 fn all() -> Vec<Explanation> {

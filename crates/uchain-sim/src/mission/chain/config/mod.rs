@@ -16,8 +16,7 @@ use crate::{
 };
 
 pub use check::UAVS_MAX;
-pub(crate) use check::thresholds;
-pub(crate) use check::values;
+pub(super) use check::{thresholds, values};
 
 /// Keys of a chain's scenario.
 pub(crate) const KEYS: Keys = Keys {

@@ -2,13 +2,18 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
 use super::{head::Head, verdict::Evidence};
 use crate::mission::chain::{LinkSummary, Summary};
 use crate::{
     clock::TICKS_PER_S,
-    mission::chain::{Course, Frame, LinkFrame, Yardstick, spread_db},
+    mission::{
+        self,
+        chain::{Chain, Course, CourseOptimum, Frame, LinkFrame, spread_db},
+    },
     record::{RecordError, Recorder},
 };
 
@@ -21,8 +26,8 @@ const SAME_DEPTH_M: f64 = 0.05;
 
 /// Watches a run and sums it up. Memory: one entry per decision of the last 10 s, one per launch and per UAV.
 #[derive(Debug)]
-pub struct Metrics<'a> {
-    course: &'a Course,
+pub struct Metrics {
+    course: Arc<Course>,
     duration_s: f64,
     limit_db: f32,
     time_s: f64,
@@ -54,12 +59,11 @@ struct Instant {
     links: Vec<LinkFrame>,
 }
 
-impl<'a> Metrics<'a> {
+impl Metrics {
     /// For a run of this course.
-    pub fn new(course: &'a Course) -> Self {
+    pub fn new(course: Arc<Course>) -> Self {
         let scenario = &course.scenario;
         Self {
-            course,
             duration_s: scenario.duration_s,
             limit_db: scenario.packets.limit_db,
             time_s: 0.0,
@@ -78,6 +82,7 @@ impl<'a> Metrics<'a> {
             is_heard_known: true,
             worst_link_db: None,
             head_reach_m: 0.0,
+            course,
         }
     }
 
@@ -104,7 +109,7 @@ impl<'a> Metrics<'a> {
         let relays_needed = self.relays_needed();
         let share = |count: u64| (self.flown > 0).then(|| count as f64 / self.flown as f64);
         let evidence = Evidence {
-            course: self.course,
+            course: &self.course,
             time_s: self.time_s,
             airborne: &self.airborne,
             has_launched: !self.launches_s.is_empty(),
@@ -199,38 +204,38 @@ impl<'a> Metrics<'a> {
         self.at_the_end.push_back(kept);
     }
 
-    /// The optimum, for a head that flies: drawing its chart takes longer than many a run.
-    fn yardstick(&self) -> Option<Yardstick<'_>> {
-        if self.head_flies() { self.course.yardstick() } else { None }
+    /// The optimum, for a head that flies: drawing its table takes longer than many a run.
+    fn optimum(&self) -> Option<CourseOptimum<'_>> {
+        if self.head_flies() { self.course.optimum() } else { None }
     }
 
     fn relays_needed(&self) -> Option<usize> {
-        let yardstick = self.yardstick()?;
-        let depth_m = yardstick.tunnel().depth_m(self.at_the_end.back()?.head);
-        yardstick.links_needed(depth_m).map(|links| links - 1)
+        let optimum = self.optimum()?;
+        let depth_m = optimum.tunnel().depth_m(self.at_the_end.back()?.head);
+        optimum.links_needed(depth_m).map(|links| links - 1)
     }
 
     fn bottleneck_gap_db(&self) -> Option<f32> {
-        let yardstick = self.yardstick()?;
+        let optimum = self.optimum()?;
         let mut best_db = BTreeMap::new();
         let gaps = self.at_the_end.iter().filter_map(|Instant { links, head, .. }| {
             let worst_db = links.iter().map(|link| link.true_db).max_by(f32::total_cmp)?;
-            let depth = (yardstick.tunnel().depth_m(*head) / SAME_DEPTH_M).round();
+            let depth = (optimum.tunnel().depth_m(*head) / SAME_DEPTH_M).round();
             let best_db = *best_db
                 .entry((depth as i64, links.len()))
-                .or_insert_with(|| yardstick.optimum(depth * SAME_DEPTH_M, links.len()).bottleneck_db);
+                .or_insert_with(|| optimum.optimum(depth * SAME_DEPTH_M, links.len()).bottleneck_db);
             Some(worst_db - best_db as f32)
         });
         median(gaps)
     }
 }
 
-impl Recorder<Frame> for Metrics<'_> {
+impl Recorder<Frame> for Metrics {
     fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
         self.time_s = frame.time_s();
         self.decided_s = frame.decided_s();
         self.take_offs(frame);
-        self.head.look(frame, self.course);
+        self.head.look(frame, &self.course);
         self.wall_contacts = frame.uavs.iter().map(|uav| uav.wall_contacts).sum();
         self.uav_contacts = frame.uavs.iter().map(|uav| uav.uav_contacts).sum::<u32>() / 2;
         if frame.decision {
@@ -261,5 +266,17 @@ mod tests {
         assert_eq!(median([3.0, 1.0, 2.0, 10.0].into_iter()), Some(2.5));
         assert_eq!(median([3.0, 1.0, 2.0].into_iter()), Some(2.0));
         assert_eq!(median(std::iter::empty()), None);
+    }
+}
+
+impl mission::Metrics for Metrics {
+    type Mission = Chain;
+
+    fn of(course: Arc<Course>) -> Self {
+        Self::new(course)
+    }
+
+    fn sum_up(&self, seed: u64, digest: String) -> Summary {
+        self.summary(seed, digest)
     }
 }

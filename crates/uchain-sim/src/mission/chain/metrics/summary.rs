@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::analyse::Verdict;
+use crate::{analyse::Verdict, mission};
 
 /// One link of the flying chain at the end of a run: medians over the last 10 s.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -64,4 +64,14 @@ pub struct Summary {
     /// Hash over every bit of every UAV's pose, velocity and contacts at every tick, and of every link at every
     /// decision, 16 hex digits.
     pub digest: String,
+}
+
+impl mission::Summary for Summary {
+    fn verdict(&self) -> &Verdict {
+        &self.verdict
+    }
+
+    fn digest(&self) -> &str {
+        &self.digest
+    }
 }

@@ -5,7 +5,7 @@ use crate::{
     mission::chain::{Frame, LinkFrame, LinkSummary, UavFrame},
 };
 
-fn course(sets: &[&str]) -> Course {
+fn course(sets: &[&str]) -> std::sync::Arc<Course> {
     let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
     Course::read(&builtin("straight").unwrap(), &sets).unwrap()
 }

@@ -8,19 +8,20 @@ use std::sync::{Arc, OnceLock};
 use glam::Vec2;
 
 use super::{
-    Scenario,
-    config::{KNOWN, values},
+    Chain, Scenario,
+    config::{KEYS, KNOWN, thresholds, values},
 };
 use crate::{
-    analyse::optimum::{Chart, Charts},
-    config::{ConfigError, Document, MapConfig, Source},
+    analyse::optimum::{BottleneckTable, TableCache},
+    config::{ConfigError, Document, Keys, MapConfig, Source},
     map::{CentreLine, Geodesic, Map, Tunnel},
+    mission::Scene,
     radio::{Antenna, PathLoss},
     scene::{in_rock, lay_map, refuse, to_a_micrometre},
     sense::GridRays,
 };
 
-pub use optimality::Yardstick;
+pub use optimality::CourseOptimum;
 
 /// Where a UAV waits, in the map's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,11 +51,11 @@ pub struct Course {
     /// Radio without noise.
     pub path_loss: PathLoss,
     /// Distances to the walls, as the ToF sensors measure them.
-    pub rays: GridRays,
-    /// Drawn by the first [`Course::yardstick`], shared by all runs.
-    pub(crate) chart: OnceLock<Arc<Chart>>,
-    /// Charts shared with other courses.
-    pub(crate) charts: Arc<Charts>,
+    pub rays: Arc<GridRays>,
+    /// Drawn by the first [`Course::optimum`], shared by all runs.
+    pub(crate) table: OnceLock<Arc<BottleneckTable>>,
+    /// TableCache shared with other courses.
+    pub(crate) tables: Arc<TableCache>,
 }
 
 impl Course {
@@ -67,23 +68,15 @@ impl Course {
     /// ```
     ///
     /// # Errors
-    /// Those of [`Scenario::parse`] and [`Course::lay`]; each names its place, `--set` included.
-    pub fn read(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
-        Self::from_document(&Document::parse(source, sets, &KNOWN)?, None)
+    /// Those of [`Scenario::parse`] and [`Course::lay_out`]; each names its place, `--set` included.
+    pub fn read(source: &Source, sets: &[String]) -> Result<Arc<Self>, ConfigError> {
+        Self::from_document(&Document::parse(source, sets, &KNOWN)?)
     }
 
-    /// Like [`Course::read`], in a tunnel that was built before: `map` stands where the scenario names a map file,
-    /// which is not read. A corridor is built from the scenario all the same, as its middle comes with it.
-    ///
-    /// # Errors
-    /// Those of [`Course::read`].
-    pub fn read_in(source: &Source, map: Map) -> Result<Self, ConfigError> {
-        Self::from_document(&Document::parse(source, &[], &KNOWN)?, Some(map))
-    }
-
-    /// Lays out what a document says, in a tunnel that was built before if there is one: see [`Course::read_in`].
-    pub(crate) fn from_document(document: &Document<'_>, built: Option<Map>) -> Result<Self, ConfigError> {
-        Self::lay_in(Scenario::from_document(document)?, document, built)
+    /// Lays out what a document says.
+    pub(crate) fn from_document(document: &Document<'_>) -> Result<Arc<Self>, ConfigError> {
+        let scenario = Scenario::from_document(document)?;
+        Self::lay_in(scenario, document, None, &Arc::default()).map(Arc::new)
     }
 
     /// Builds the tunnel and finds everyone's place in it. `source` gives the folder for the map's path
@@ -92,13 +85,18 @@ impl Course {
     /// # Errors
     /// A value out of range; a map that cannot be read or built; the base or a UAV in rock or nearer to a
     /// wall than its radius; UAVs that overlap; a UAV from which no way leads to the base.
-    pub fn lay(scenario: Scenario, source: &Source) -> Result<Self, ConfigError> {
+    pub fn lay_out(scenario: Scenario, source: &Source) -> Result<Arc<Self>, ConfigError> {
         let document = Document::parse(source, &[], &KNOWN)?;
         values(&scenario, &document)?;
-        Self::lay_in(scenario, &document, None)
+        Self::lay_in(scenario, &document, None, &Arc::default()).map(Arc::new)
     }
 
-    fn lay_in(scenario: Scenario, document: &Document<'_>, built: Option<Map>) -> Result<Self, ConfigError> {
+    fn lay_in(
+        scenario: Scenario,
+        document: &Document<'_>,
+        built: Option<Map>,
+        tables: &Arc<TableCache>,
+    ) -> Result<Self, ConfigError> {
         let (map, line) = match built {
             // A corridor is built all the same, as its middle comes with it.
             Some(map) if !matches!(scenario.map, MapConfig::Corridor(_)) => (map, None),
@@ -133,10 +131,10 @@ impl Course {
             }
             spawns.push(Spawn { at, heading_rad });
         }
-        let rays = GridRays::new(&map, scenario.tof.range_m);
-        let (chart, charts) = (OnceLock::new(), Arc::default());
+        let rays = Arc::new(GridRays::new(&map, scenario.tof.range_m));
+        let (table, tables) = (OnceLock::new(), tables.clone());
         let map = Arc::new(map);
-        Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, rays, chart, charts })
+        Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, rays, table, tables })
     }
 
     /// How deep in the tunnel a place lies (m), negative behind the base; `None` where the tunnel's middle is not
@@ -150,6 +148,72 @@ impl Course {
         let (at, heading_rad) = self.tunnel.as_ref()?.at(depth_m);
         let heading_rad = (depth_m > 0.0).then_some(heading_rad);
         Some(Antenna { at, heading_rad })
+    }
+}
+
+impl Scene for Course {
+    type Mission = Chain;
+    /// Tables of optima.
+    type Shared = Arc<TableCache>;
+    const KIND: &'static str = "a chain";
+    const ROBOT: &'static str = "UAV";
+    const KEYS: &'static Keys = &KEYS;
+
+    fn describe(document: &Document<'_>) -> Result<[String; 2], ConfigError> {
+        Scenario::from_document(document).map(|scenario| [scenario.name, scenario.description])
+    }
+
+    #[cfg(feature = "schema")]
+    fn schema() -> serde_json::Value {
+        super::config::schema()
+    }
+
+    fn takes(document: &Document<'_>) -> bool {
+        Scenario::unchecked(document).is_ok()
+    }
+
+    fn title(&self) -> String {
+        let preset = self.scenario.preset.as_ref().map(|name| format!(", preset {name}")).unwrap_or_default();
+        format!("{}{preset}", self.scenario.name)
+    }
+
+    fn lay(
+        document: &Document<'_>,
+        map: Option<Map>,
+        shared: &Self::Shared,
+    ) -> Result<Arc<Self>, ConfigError> {
+        let scenario = Scenario::from_document(document)?;
+        let was_flown = map.is_some();
+        let course = Self::lay_in(scenario, document, map, shared)?;
+        // What was recorded has been flown, whatever is asked of scenarios today.
+        if !was_flown {
+            thresholds(&course.scenario, document)?;
+        }
+        Ok(Arc::new(course))
+    }
+
+    fn name(&self) -> &str {
+        &self.scenario.name
+    }
+
+    fn duration_s(&self) -> f64 {
+        self.scenario.duration_s
+    }
+
+    fn crew(&self) -> usize {
+        self.spawns.len()
+    }
+
+    fn map(&self) -> &Arc<Map> {
+        &self.map
+    }
+
+    fn notes(&self) -> Vec<String> {
+        Self::notes(self)
+    }
+
+    fn to_toml(&self) -> Result<String, toml::ser::Error> {
+        self.scenario.to_toml()
     }
 }
 

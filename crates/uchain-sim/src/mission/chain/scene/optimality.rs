@@ -1,21 +1,21 @@
 //! The optimum in a course: its tunnel, its radio, its depths.
 
-use crate::analyse::optimum::{Chart, ChartKey, MOST_LINKS, Optimum, links_needed, optimum};
+use crate::analyse::optimum::{BottleneckTable, MOST_LINKS, Optimum, TableKey, links_needed, optimum};
 use crate::{map::Tunnel, mission::chain::Course};
 
-/// Distance between the samples of a course's chart (m), in tunnels short enough for [`SAMPLES`] of them.
+/// Distance between the samples of a course's table (m), in tunnels short enough for [`SAMPLES`] of them.
 const STEP_M: f64 = 0.05;
-/// Most samples of a course's chart.
+/// Most samples of a course's table.
 const SAMPLES: f64 = 500.0;
 /// The same where a loss takes the way through the tunnel, hundreds of times the work.
 const SAMPLES_WITH_DETOUR: f64 = 120.0;
 
 /// What the best chain in a course's tunnel comes to.
 #[derive(Debug, Clone, Copy)]
-pub struct Yardstick<'a> {
+pub struct CourseOptimum<'a> {
     course: &'a Course,
     tunnel: &'a Tunnel,
-    chart: &'a Chart,
+    table: &'a BottleneckTable,
 }
 
 impl Course {
@@ -28,30 +28,30 @@ impl Course {
     }
 
     /// The optimum in this course; `None` without a tunnel of known middle. The first call draws the
-    /// chart, or takes it from a course of the same sweep that differs in other things.
-    pub fn yardstick(&self) -> Option<Yardstick<'_>> {
+    /// table, or takes it from a course of the same sweep that differs in other things.
+    pub fn optimum(&self) -> Option<CourseOptimum<'_>> {
         let tunnel = self.tunnel.as_ref()?;
         let loss_db = |a_m, b_m| self.loss_at_depths_db(a_m, b_m).unwrap_or(f64::NAN);
         let depth_m = tunnel.length_m();
         let detour = self.scenario.radio.detour_db_per_m > 0.0;
         let step_m = STEP_M.max(depth_m / if detour { SAMPLES_WITH_DETOUR } else { SAMPLES });
-        let chart = self.chart.get_or_init(|| {
-            let key = ChartKey::new(self.map.walls(), tunnel, &self.scenario.radio);
-            self.charts.get(key, || Chart::new(loss_db, depth_m, step_m, MOST_LINKS))
+        let table = self.table.get_or_init(|| {
+            let key = TableKey::new(self.map.walls(), tunnel, &self.scenario.radio);
+            self.tables.get(key, || BottleneckTable::new(loss_db, depth_m, step_m, MOST_LINKS))
         });
-        Some(Yardstick { course: self, tunnel, chart })
+        Some(CourseOptimum { course: self, tunnel, table })
     }
 }
 
-impl<'a> Yardstick<'a> {
+impl<'a> CourseOptimum<'a> {
     /// The tunnel.
     pub fn tunnel(&self) -> &'a Tunnel {
         self.tunnel
     }
 
     /// The best chains on samples of the depth.
-    pub fn chart(&self) -> &'a Chart {
-        self.chart
+    pub fn table(&self) -> &'a BottleneckTable {
+        self.table
     }
 
     /// Loss between two depths (dB).
@@ -61,12 +61,12 @@ impl<'a> Yardstick<'a> {
 
     /// [`optimum`] for a head at this depth (m).
     pub fn optimum(&self, head_depth_m: f64, links: usize) -> Optimum {
-        optimum(&|a, b| self.loss_db(a, b), self.chart, head_depth_m, links)
+        optimum(&|a, b| self.loss_db(a, b), self.table, head_depth_m, links)
     }
 
     /// [`links_needed`] for a head at this depth (m) and the scenario's `takeoff.s_min_db`.
     pub fn links_needed(&self, head_depth_m: f64) -> Option<usize> {
         let s_min_db = f64::from(self.course.scenario.takeoff.s_min_db);
-        links_needed(&|a, b| self.loss_db(a, b), self.chart, head_depth_m, s_min_db)
+        links_needed(&|a, b| self.loss_db(a, b), self.table, head_depth_m, s_min_db)
     }
 }

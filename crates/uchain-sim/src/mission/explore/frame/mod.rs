@@ -1,6 +1,5 @@
 //! What one instant of an exploration leaves behind.
 
-use serde::Serialize;
 use uchain_core::explore::{Label, NodeId, Purpose, Sector};
 
 mod compare;
@@ -9,6 +8,7 @@ mod way;
 
 use crate::{
     clock,
+    mission::Stopped,
     record::{Difference, Snapshot},
 };
 
@@ -170,33 +170,4 @@ impl Snapshot for ExploreFrame {
 /// Appends the bits of a number.
 fn number(bytes: &mut Vec<u8>, value: f32) {
     bytes.extend_from_slice(&value.to_bits().to_le_bytes());
-}
-
-/// Why an exploration is over.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Stopped {
-    /// No frontier is left, and all are home.
-    Explored,
-    /// All are home, and frontiers are left that nobody knows of or finds a way to.
-    Unreachable,
-    /// All are home because there is room for no more nodes (`nodes_max`).
-    Full,
-    /// Nobody moves, and not all are home.
-    Stuck,
-    /// The longest time is up (`duration_s`).
-    Time,
-}
-
-impl Stopped {
-    /// The reason in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Explored => "no frontier left, all home",
-            Self::Unreachable => "all home, frontiers left that nobody finds a way to",
-            Self::Full => "all home, no room for more nodes (nodes_max)",
-            Self::Stuck => "nobody moves, and not all are home",
-            Self::Time => "the time is up (duration_s)",
-        }
-    }
 }

@@ -8,39 +8,29 @@ use std::io::Write;
 
 use foxglove::messages::{FrameTransform, FrameTransforms, Log, Pose, PosesInFrame, SceneUpdate, Vector3};
 
-use crate::record::mcap::{
-    Channel, Out, Recordable as _, SHOWN_TICKS,
-    scene::{self as shared, MAP, rotation, time, transform},
-};
 use crate::{
-    mission::explore::{ExploreFrame, Odometer, Site},
+    mission::{
+        Recorded,
+        explore::{Exploration, ExploreFrame, Odometer, Site},
+    },
     record::{
-        RecordError, Recorder,
-        mcap::{About, FRAME_TOPIC},
+        RecordError,
+        mcap::{
+            self, Channel, Out, SHOWN_TICKS, Topics,
+            scene::{self as shared, MAP, rotation, time, transform},
+        },
     },
 };
-use message::{ExploreFrameMessage, ExploreMetricsMessage};
+use message::ExploreMetricsMessage;
 use news::News;
 use scene::{Graph, Stars, Ways, robot_colour};
 
-/// Records every frame of an exploration in MCAP, as [`McapRecorder`](super::McapRecorder) does of a chain.
-///
-/// ```
-/// use uchain_libm as _; // the same bits on every system
-/// use uchain_sim::{mission::explore::{Site, ExploreRecorder}, config::builtin, record::mcap::Recording, run::explore};
-/// let site = Site::read(&builtin("apartment").unwrap(), &["duration_s=20".to_owned()]).unwrap();
-/// let mut recorder = ExploreRecorder::start(Vec::new(), &site, 1).unwrap();
-/// let (summary, _) = explore(&site, 1, &mut recorder).unwrap();
-/// let file = recorder.finish().unwrap();
-///
-/// let mut recording = Recording::read_exploration(file.as_slice(), "memory").unwrap();
-/// let site = recording.site().unwrap();
-/// assert_eq!(recording.summary(&site, &mut ()).unwrap().0, summary);
-/// ```
-pub struct ExploreRecorder<W: Write> {
-    out: Out<W>,
+/// Records an exploration.
+pub type ExploreRecorder<W> = mcap::McapRecorder<W, ExploreTopics>;
+
+/// Topics of an exploration.
+pub struct ExploreTopics {
     channels: Channels,
-    frame: ExploreFrameMessage,
     odometer: Odometer,
     stars: Stars,
     graph: Graph,
@@ -49,7 +39,6 @@ pub struct ExploreRecorder<W: Write> {
 }
 
 struct Channels {
-    frame: Channel,
     metrics: Channel,
     transforms: Channel,
     poses: Channel,
@@ -59,23 +48,22 @@ struct Channels {
     log: Channel,
 }
 
-impl<W: Write> std::fmt::Debug for ExploreRecorder<W> {
+impl std::fmt::Debug for ExploreTopics {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("ExploreRecorder").finish_non_exhaustive()
+        f.debug_struct("ExploreTopics").finish_non_exhaustive()
     }
 }
 
-impl<W: Write> ExploreRecorder<W> {
-    /// Begins a recording: what it is of, and the walls. All of that has reached `to` when this returns; from here on
-    /// `to` always holds a readable file.
-    ///
-    /// # Errors
-    /// [`RecordError::Io`].
-    pub fn start(to: W, site: &Site, seed: u64) -> Result<Self, RecordError> {
-        let scenario = site.scenario.to_toml().map_err(std::io::Error::other)?;
-        let mut out = Out::begin(to, &About::of(scenario, &site.map, seed), &site.map)?;
+impl Recorded for Exploration {
+    type Topics = ExploreTopics;
+}
+
+impl Topics for ExploreTopics {
+    type Scene = Site;
+    type Frame = ExploreFrame;
+
+    fn start<W: Write>(site: &Site, out: &mut Out<W>) -> Result<Self, RecordError> {
         let channels = Channels {
-            frame: out.own_channel(FRAME_TOPIC, "ExploreFrame")?,
             metrics: out.own_channel("/metrics", "ExploreMetrics")?,
             transforms: out.channel::<FrameTransforms>("/tf")?,
             poses: out.channel::<PosesInFrame>("/poses")?,
@@ -92,11 +80,8 @@ impl<W: Write> ExploreRecorder<W> {
         let robot = |i: usize| shared::disc_and_arrow(body(i), radius_m, robot_colour(i));
         let bodies = (0..site.spawns.len()).map(robot).collect();
         out.send(robots, 0, &SceneUpdate { deletions: Vec::new(), entities: bodies })?;
-        out.flush()?;
         Ok(Self {
-            out,
             channels,
-            frame: ExploreFrameMessage::default(),
             odometer: Odometer::default(),
             stars: Stars::default(),
             graph: Graph::default(),
@@ -105,23 +90,29 @@ impl<W: Write> ExploreRecorder<W> {
         })
     }
 
-    /// Ends the recording with its index and hands the writer back. Without this the file is readable as well, but
-    /// counts as cut short.
-    ///
-    /// # Errors
-    /// [`RecordError::Io`].
-    pub fn finish(self) -> Result<W, RecordError> {
-        self.out.finish()
+    fn show<W: Write>(&mut self, frame: &ExploreFrame, out: &mut Out<W>) -> Result<(), RecordError> {
+        let progress = self.odometer.add(frame);
+        let is_last = frame.stopped.is_some();
+        if frame.decision || is_last {
+            let metrics = ExploreMetricsMessage::from(progress);
+            out.send(self.channels.metrics, frame.tick, &metrics)?;
+            self.decision(frame, out)?;
+        }
+        self.ways.fly(frame);
+        if frame.tick.is_multiple_of(SHOWN_TICKS) || is_last {
+            out.send(self.channels.transforms, frame.tick, &transforms(frame))?;
+            out.send(self.channels.poses, frame.tick, &poses(frame))?;
+        }
+        for event in self.news.update(frame) {
+            out.send(self.channels.log, frame.tick, event)?;
+        }
+        Ok(())
     }
+}
 
-    fn show(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
-        let (out, channels, tick) = (&mut self.out, &self.channels, frame.tick);
-        out.send(channels.transforms, tick, &transforms(frame))?;
-        out.send(channels.poses, tick, &poses(frame))
-    }
-
-    fn decision(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
-        let (out, channels, tick) = (&mut self.out, &self.channels, frame.tick);
+impl ExploreTopics {
+    fn decision<W: Write>(&mut self, frame: &ExploreFrame, out: &mut Out<W>) -> Result<(), RecordError> {
+        let (channels, tick) = (&self.channels, frame.tick);
         if let Some(stars) = self.stars.update(frame) {
             out.send(channels.stars, tick, &stars)?;
         }
@@ -130,28 +121,6 @@ impl<W: Write> ExploreRecorder<W> {
         }
         if let Some(ways) = self.ways.end_of_round(frame) {
             out.send(channels.ways, tick, &ways)?;
-        }
-        Ok(())
-    }
-}
-
-impl<W: Write> Recorder<ExploreFrame> for ExploreRecorder<W> {
-    fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
-        frame.fill(&mut self.frame);
-        self.out.send(self.channels.frame, frame.tick, &self.frame)?;
-        let progress = self.odometer.add(frame);
-        let is_last = frame.stopped.is_some();
-        if frame.decision || is_last {
-            let metrics = ExploreMetricsMessage::from(progress);
-            self.out.send(self.channels.metrics, frame.tick, &metrics)?;
-            self.decision(frame)?;
-        }
-        self.ways.fly(frame);
-        if frame.tick.is_multiple_of(SHOWN_TICKS) || is_last {
-            self.show(frame)?;
-        }
-        for event in self.news.update(frame) {
-            self.out.send(self.channels.log, frame.tick, event)?;
         }
         Ok(())
     }

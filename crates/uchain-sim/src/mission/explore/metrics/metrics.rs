@@ -1,5 +1,7 @@
 //! The summary of an exploration, from its frames.
 
+use std::sync::Arc;
+
 use glam::{DVec3, Vec2};
 
 use super::gaps::Gaps;
@@ -7,7 +9,10 @@ use crate::mission::explore::{Coverage, ExploreSummary, Unseen, Width, width_but
 use crate::{
     analyse::{Outcome, Verdict},
     clock::time_s,
-    mission::explore::{ExploreFrame, RobotFrame, Site, Stopped, Way},
+    mission::{
+        self, Stopped,
+        explore::{Exploration, ExploreFrame, RobotFrame, Site, Way},
+    },
     record::{RecordError, Recorder},
 };
 
@@ -16,8 +21,8 @@ const LEFT: f64 = 0.005;
 
 /// Watches an exploration and sums it up. Memory: one entry per cell of the ground, and one per round with new nodes.
 #[derive(Debug)]
-pub struct ExploreMetrics<'a> {
-    site: &'a Site,
+pub struct ExploreMetrics {
+    site: Arc<Site>,
     coverage: Coverage,
     /// Times (s) and coverage (1), from each round with new nodes on.
     curve: Vec<(f64, f64)>,
@@ -56,12 +61,11 @@ fn place(robot: &RobotFrame) -> DVec3 {
     DVec3::new(robot.x_m.into(), robot.y_m.into(), robot.z_m.into())
 }
 
-impl<'a> ExploreMetrics<'a> {
+impl ExploreMetrics {
     /// For a run on this site.
-    pub fn new(site: &'a Site) -> Self {
+    pub fn new(site: Arc<Site>) -> Self {
         let (team, params) = (&site.scenario.team, &site.scenario.params);
         Self {
-            site,
             coverage: Coverage::new(site.ground(), params.r_s_m),
             curve: Vec::new(),
             robots: Vec::new(),
@@ -73,11 +77,17 @@ impl<'a> ExploreMetrics<'a> {
             mfl_ticks: 0,
             time_s: 0.0,
             stopped: None,
+            site,
         }
     }
 
-    /// What it came to, and what was seen.
-    pub fn finish(self, seed: u64, digest: String) -> (ExploreSummary, Survey) {
+    /// What was seen so far.
+    pub fn survey(&self) -> Survey {
+        Survey { curve: self.curve.clone(), coverage: self.coverage.clone() }
+    }
+
+    /// What it has come to so far.
+    pub fn summary(&self, seed: u64, digest: String) -> ExploreSummary {
         let ground = self.site.ground();
         let mut unseen = self.coverage.unseen(&self.site.map, ground);
         let unseen_m2 = unseen.iter().map(|piece| piece.area_m2).sum();
@@ -95,7 +105,7 @@ impl<'a> ExploreMetrics<'a> {
         let mut gaps = self.gaps.gaps();
         gaps.truncate(ExploreSummary::GAPS_MAX);
         let scenario = &self.site.scenario;
-        let summary = ExploreSummary {
+        ExploreSummary {
             scenario: scenario.name.clone(),
             seed,
             strategy: scenario.params.strategy,
@@ -116,7 +126,7 @@ impl<'a> ExploreMetrics<'a> {
             coverage_t90_s: when(0.9),
             coverage_t100_s: when(1.0),
             overlap: self.coverage.overlap(),
-            nodes: self.nodes,
+            nodes: self.nodes.clone(),
             edges: self.edges,
             hubs_left: self.hubs,
             unseen_m2,
@@ -129,8 +139,7 @@ impl<'a> ExploreMetrics<'a> {
             downwash_s: self.gaps.downwash_s(),
             gaps,
             digest,
-        };
-        (summary, Survey { curve: self.curve, coverage: self.coverage })
+        }
     }
 
     /// What came, of all that could be reached.
@@ -188,7 +197,7 @@ impl<'a> ExploreMetrics<'a> {
     }
 }
 
-impl Recorder<ExploreFrame> for ExploreMetrics<'_> {
+impl Recorder<ExploreFrame> for ExploreMetrics {
     fn frame(&mut self, frame: &ExploreFrame) -> Result<(), RecordError> {
         let at_rest = |robot: &RobotFrame| Tally {
             way: Way::from(place(robot)),
@@ -223,5 +232,17 @@ impl Recorder<ExploreFrame> for ExploreMetrics<'_> {
         };
         self.stopped = frame.stopped;
         Ok(())
+    }
+}
+
+impl mission::Metrics for ExploreMetrics {
+    type Mission = Exploration;
+
+    fn of(site: Arc<Site>) -> Self {
+        Self::new(site)
+    }
+
+    fn sum_up(&self, seed: u64, digest: String) -> ExploreSummary {
+        self.summary(seed, digest)
     }
 }

@@ -1,5 +1,7 @@
 //! What an exploration came to, from its frames.
 
+#[cfg(feature = "sweep")]
+mod columns;
 mod gaps;
 mod history;
 mod metrics;
@@ -7,6 +9,8 @@ mod states;
 mod summary;
 mod timeline;
 
+#[cfg(feature = "sweep")]
+pub(super) use columns::COLUMNS;
 pub use gaps::Gap;
 pub use history::ExploreHistory;
 pub use metrics::{ExploreMetrics, Survey};

@@ -6,7 +6,7 @@ use uchain_core::explore::Strategy;
 use crate::mission::explore::{Gap, Unseen};
 use crate::{
     analyse::Verdict,
-    mission::explore::{Stopped, VehicleKind},
+    mission::{self, Stopped, explore::VehicleKind},
 };
 
 /// What one exploration came to. A function of (scenario, seed): nothing here is measured by a clock.
@@ -101,5 +101,15 @@ impl ExploreSummary {
     /// Mean way over ground of a robot (m).
     pub fn distance_mean_m(&self) -> f64 {
         self.distance_m.iter().sum::<f64>() / self.distance_m.len().max(1) as f64
+    }
+}
+
+impl mission::Summary for ExploreSummary {
+    fn verdict(&self) -> &Verdict {
+        &self.verdict
+    }
+
+    fn digest(&self) -> &str {
+        &self.digest
     }
 }

@@ -7,12 +7,19 @@ mod tests;
 use std::sync::{Arc, OnceLock};
 
 use glam::Vec2;
+use uchain_core::explore::Ssg;
 
-use super::{ExploreScenario, config::KNOWN};
+use super::{
+    Exploration, ExploreScenario,
+    config::{KEYS, KNOWN},
+};
 use crate::{
-    config::{ConfigError, Document, Source},
+    config::{ConfigError, Document, Keys, Source},
     map::Map,
-    mission::explore::{Ground, Width, width_but_for_m},
+    mission::{
+        Scene,
+        explore::{Ground, Width, width_but_for_m},
+    },
     scene::{in_rock, lay_map, outside, to_a_micrometre},
 };
 use starts::Lattice;
@@ -31,6 +38,8 @@ pub struct Site {
     pub spawns: Vec<Vec2>,
     /// Where robots start instead of `start_m`, if that has no room.
     moved: Option<String>,
+    /// What robots know before their first scan.
+    empty: Ssg,
     /// Surveyed by the first [`Site::ground`], shared by all runs.
     ground: OnceLock<Ground>,
 }
@@ -47,36 +56,13 @@ impl Site {
     /// # Errors
     /// Those of [`ExploreScenario::parse`]; a map that cannot be read or built; a robot in rock, nearer to a wall
     /// than it may come, or nearer to another one than they may come, wherever the seed puts them.
-    pub fn read(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
-        Self::from_document(&Document::parse(source, sets, &KNOWN)?, None)
+    pub fn read(source: &Source, sets: &[String]) -> Result<Arc<Self>, ConfigError> {
+        <Self as Scene>::lay(&Document::parse(source, sets, &KNOWN)?, None, &())
     }
 
-    /// Like [`Site::read`], in a map that was built before; what the scenario says of its map is not read.
-    ///
-    /// # Errors
-    /// Those of [`Site::read`].
-    pub fn read_in(source: &Source, map: Map) -> Result<Self, ConfigError> {
-        Self::from_document(&Document::parse(source, &[], &KNOWN)?, Some(map))
-    }
-
-    /// Lays out what a document says, in a map that was built before if there is one: see [`Site::read_in`].
-    pub(crate) fn from_document(document: &Document<'_>, built: Option<Map>) -> Result<Self, ConfigError> {
-        Self::lay(ExploreScenario::from_document(document)?, document, built)
-    }
-
-    fn lay(
-        scenario: ExploreScenario,
-        document: &Document<'_>,
-        built: Option<Map>,
-    ) -> Result<Self, ConfigError> {
-        let around_m = scenario.team.spawns_m.first().copied().unwrap_or_default();
-        let map = match built {
-            Some(map) => map,
-            None => lay_map(&scenario.map, around_m, document)?.0,
-        };
-        let spawns = places(&scenario, &map, document)?;
-        let moved = moved(&scenario, &map, &spawns);
-        Ok(Self { scenario, map: Arc::new(map), spawns, moved, ground: OnceLock::new() })
+    /// What robots know before their first scan.
+    pub(super) fn empty_store(&self) -> &Ssg {
+        &self.empty
     }
 
     /// What of the map a robot can reach, in cells.
@@ -120,6 +106,68 @@ impl Site {
             ));
         }
         notes
+    }
+}
+
+impl Scene for Site {
+    type Mission = Exploration;
+    type Shared = ();
+    const KIND: &'static str = "an exploration";
+    const ROBOT: &'static str = "robot";
+    const KEYS: &'static Keys = &KEYS;
+
+    fn describe(document: &Document<'_>) -> Result<[String; 2], ConfigError> {
+        ExploreScenario::from_document(document).map(|scenario| [scenario.name, scenario.description])
+    }
+
+    #[cfg(feature = "schema")]
+    fn schema() -> serde_json::Value {
+        super::config::schema()
+    }
+
+    fn takes(document: &Document<'_>) -> bool {
+        ExploreScenario::unchecked(document).is_ok()
+    }
+
+    fn lay(document: &Document<'_>, map: Option<Map>, (): &()) -> Result<Arc<Self>, ConfigError> {
+        let scenario = ExploreScenario::from_document(document)?;
+        let around_m = scenario.team.spawns_m.first().copied().unwrap_or_default();
+        let map = match map {
+            Some(map) => map,
+            None => lay_map(&scenario.map, around_m, document)?.0,
+        };
+        let spawns = places(&scenario, &map, document)?;
+        let moved = moved(&scenario, &map, &spawns);
+        let empty = Ssg::new(scenario.params.clone(), scenario.team.robots).map_err(|refusal| {
+            let got = scenario.team.robots.to_string();
+            document.invalid("explore", &got, format!("no graph can be made of these parameters: {refusal}"))
+        })?;
+        let (map, ground) = (Arc::new(map), OnceLock::new());
+        Ok(Arc::new(Self { scenario, map, spawns, moved, empty, ground }))
+    }
+
+    fn name(&self) -> &str {
+        &self.scenario.name
+    }
+
+    fn duration_s(&self) -> f64 {
+        self.scenario.duration_s
+    }
+
+    fn crew(&self) -> usize {
+        self.spawns.len()
+    }
+
+    fn map(&self) -> &Arc<Map> {
+        &self.map
+    }
+
+    fn notes(&self) -> Vec<String> {
+        Self::notes(self)
+    }
+
+    fn to_toml(&self) -> Result<String, toml::ser::Error> {
+        self.scenario.to_toml()
     }
 }
 

@@ -1,10 +1,7 @@
 use std::path::PathBuf;
 
 use super::Site;
-use crate::{
-    config::Source,
-    mission::{Mission, chain::Course},
-};
+use crate::{config::Source, mission::chain::Course, registry::Registry};
 
 const ROOM: &str = r#"
 name = "room"
@@ -22,7 +19,7 @@ fn room() -> Source {
 
 fn error(sets: &[&str]) -> String {
     let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
-    match Mission::read(&room(), &sets) {
+    match Registry::default().read(&room(), &sets) {
         Ok(_) => panic!("{sets:?} is taken"),
         Err(error) => error.to_string(),
     }

@@ -4,11 +4,11 @@ mod hearing;
 mod news;
 
 use uchain_core::explore::{
-    Command, ExploreParams, Explorer, Message, Observation, Point, Pose, Purpose, Refusal, Ssg, Target, rule,
+    Command, ExploreParams, Explorer, Message, Observation, Point, Purpose, Refusal, Ssg, Target, rule,
 };
 
 use crate::{
-    mission::explore::{ExploreScenario, Stopped},
+    mission::{Stopped, explore::Site},
     seed::{Seed, Source, Stream},
 };
 use hearing::Hearing;
@@ -33,26 +33,27 @@ pub struct Team {
 }
 
 impl Team {
-    /// A team before its first scan. `None` for parameters that no checked scenario has.
-    pub fn new(scenario: &ExploreScenario, seed: Seed) -> Option<Self> {
+    /// A team before its first scan.
+    pub fn new(site: &Site, seed: Seed) -> Self {
+        let scenario = &site.scenario;
         let robots = scenario.team.robots;
         let count = usize::from(robots);
-        let empty = Ssg::new(scenario.params.clone(), robots).ok()?;
+        let empty = site.empty_store();
         let mut noted = empty.clone();
         noted.note_freed();
         let shared = scenario.team.range_m.is_none();
-        Some(Self {
+        Self {
             params: scenario.params.clone(),
             explorers: (0..robots).map(|i| Explorer::new(i, robots)).collect(),
             draws: (0..u32::from(robots)).map(|i| seed.stream(i, Source::Choice)).collect(),
             hearing: Hearing::new(count, scenario.team.range_m),
             whole: (!shared).then(|| noted.clone()),
-            stores: if shared { vec![noted] } else { vec![empty; count] },
+            stores: if shared { vec![noted] } else { vec![empty.clone(); count] },
             said: vec![Vec::new(); count],
             targets: Vec::with_capacity(count),
             commands: Vec::with_capacity(count),
             news: News::default(),
-        })
+        }
     }
 
     /// All that any robot knows.
@@ -77,11 +78,11 @@ impl Team {
 
     /// One round (Kim 2021, Algorithm 2), by what every robot sees and by true places, which decide who hears whom.
     /// A reason if there is nothing left to fly.
-    pub fn round(&mut self, seen: &[(Pose, Option<Vec<Option<f32>>>)], places: &[Point]) -> Option<Stopped> {
+    pub fn round(&mut self, robots: &[super::Observation], places: &[Point]) -> Option<Stopped> {
         self.hearing.listen(places, &mut self.stores);
         self.commands.clear();
-        for (i, (pose, scan)) in seen.iter().enumerate().take(self.explorers.len()) {
-            let seen = Observation { pose: *pose, arrived: true, scan: scan.as_deref() };
+        for (i, robot) in robots.iter().enumerate().take(self.explorers.len()) {
+            let seen = Observation { pose: robot.pose, arrived: true, scan: robot.scan.as_deref() };
             let store = store_of(&mut self.stores, i);
             match self.explorers[i].perceive(store, &seen, &mut self.said[i]) {
                 // A team of checked parameters has no strangers and no odd stars. A robot that believes to be beyond

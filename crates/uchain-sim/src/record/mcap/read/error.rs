@@ -26,14 +26,6 @@ pub enum ReadError {
         /// What is missing or different.
         why: String,
     },
-    /// A recording of another kind of mission.
-    #[error("a recording of {found}: expected one of {expected}")]
-    OtherKind {
-        /// What was asked for.
-        expected: &'static str,
-        /// What it is of.
-        found: &'static str,
-    },
     /// A record that is not what it should be.
     #[error("damaged at byte {byte}: {why}")]
     Damaged {

@@ -10,12 +10,11 @@ use super::{
 };
 use crate::{
     clock::TICK_NS,
-    mission::chain::Frame,
     record::mcap::{FRAME_TOPIC, Recordable, schema},
 };
 
 /// The frames of a recording, in order.
-pub struct Frames<R, F: Recordable = Frame> {
+pub struct Frames<R, F: Recordable> {
     records: Records<R>,
     /// Schema and channel of the frames, once they have been declared.
     schema: Option<u16>,
@@ -43,7 +42,8 @@ impl<R, F: Recordable> Frames<R, F> {
         self.end
     }
 
-    pub(super) fn expect_crew(&mut self, count: usize) {
+    /// From here on, frames with another number of robots are refused.
+    pub fn expect_crew(&mut self, count: usize) {
         self.crew = Some(count);
     }
 }

@@ -8,49 +8,76 @@ mod records;
 use std::{
     fs::File,
     io::{BufReader, Read},
-    path::Path,
+    path::{Path, PathBuf},
 };
 
 pub use error::ReadError;
 pub use frames::Frames;
 pub use records::End;
 
-use super::about::{self, About};
+use super::{
+    Recordable,
+    about::{self, About},
+};
 use crate::{
-    analyse::Digest,
+    config::Source,
     map::Map,
-    mission::{
-        chain::{Course, Frame, Metrics, Summary},
-        explore::{ExploreFrame, ExploreMetrics, ExploreSummary, Site, Survey},
-    },
-    record::{RecordError, Recorder, mcap::Recordable},
+    record::{RecordError, Recorder},
 };
 use records::{Item, Records};
 
-/// A recording, read from front to back. Memory: one record of the file, mostly a chunk of 64 KiB and never more than
-/// 64 MiB, and the walls.
-///
-/// Nothing is believed unchecked: a damaged file is refused at the damage, and the frames before it are those that
-/// were written. A file that was cut short, or that ends in zeros where it was not on the disk yet when the power went, is
-/// read to its last whole chunk; [`Frames::end`] tells.
-#[derive(Debug)]
-pub struct Recording<R, F: Recordable = Frame> {
+/// A recording of which the beginning has been read: what it is of. Its frames come with [`Opened::frames`].
+pub struct Opened<R> {
     /// What it is of.
     pub about: About,
     /// The walls that were recorded.
     pub walls: Map,
-    /// The frames that have not been read yet.
-    pub frames: Frames<R, F>,
+    records: Records<R>,
     label: String,
 }
 
-/// A recording of either kind.
-#[derive(Debug)]
-pub enum AnyRecording<R> {
-    /// Of a chain.
-    Chain(Box<Recording<R>>),
-    /// Of an exploration.
-    Explore(Box<Recording<R, ExploreFrame>>),
+impl<R> std::fmt::Debug for Opened<R> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Opened").field("about", &self.about).finish_non_exhaustive()
+    }
+}
+
+impl Opened<BufReader<File>> {
+    /// Opens a file; messages call it by its path.
+    ///
+    /// # Errors
+    /// [`ReadError`]: no MCAP file, not ours, or damaged where it begins.
+    pub fn open(path: &Path) -> Result<Self, ReadError> {
+        Self::read(BufReader::new(File::open(path)?), &path.display().to_string())
+    }
+}
+
+impl<R: Read> Opened<R> {
+    /// Begins to read; `label` names the recording in messages about its scenario.
+    ///
+    /// # Errors
+    /// [`ReadError`]: no MCAP file, not ours, or damaged where it begins.
+    pub fn read(input: R, label: &str) -> Result<Self, ReadError> {
+        let mut records = Records::new(input);
+        let (about, walls) = beginning(&mut records)?;
+        Ok(Self { about, walls, records, label: label.to_owned() })
+    }
+
+    /// The scenario that was flown, as a text; map files that it names are not read again.
+    pub fn source(&self) -> Source {
+        let label = format!("{}, scenario", self.label);
+        Source { label, text: self.about.scenario.clone(), folder: PathBuf::new() }
+    }
+
+    /// The walls that were recorded, where the scenario has them.
+    pub fn map(&self) -> Map {
+        self.walls.clone().with_offset_m(self.about.map_offset_m)
+    }
+
+    /// The frames, in order.
+    pub fn frames<F: Recordable>(self) -> Frames<R, F> {
+        Frames::new(self.records)
+    }
 }
 
 /// Why a recording was not played to its end.
@@ -62,130 +89,6 @@ pub enum PlayError {
     /// Whoever was shown the frames.
     #[error(transparent)]
     Record(#[from] RecordError),
-}
-
-impl AnyRecording<BufReader<File>> {
-    /// Opens a file; messages call it by its path.
-    ///
-    /// # Errors
-    /// [`ReadError`].
-    pub fn open(path: &Path) -> Result<Self, ReadError> {
-        Self::read(BufReader::new(File::open(path)?), &path.display().to_string())
-    }
-}
-
-impl<R: Read> AnyRecording<R> {
-    /// Begins to read; `label` names the recording in messages about its scenario.
-    ///
-    /// # Errors
-    /// [`ReadError`]: no MCAP file, not ours, or damaged where it begins.
-    pub fn read(input: R, label: &str) -> Result<Self, ReadError> {
-        let mut records = Records::new(input);
-        let (about, walls) = beginning(&mut records)?;
-        Ok(if about.is_exploration() {
-            Self::Explore(Box::new(Recording::new(about, walls, records, label)))
-        } else {
-            Self::Chain(Box::new(Recording::new(about, walls, records, label)))
-        })
-    }
-}
-
-impl Recording<BufReader<File>> {
-    /// Opens a recording of a chain; messages call it by its path.
-    ///
-    /// # Errors
-    /// [`ReadError`].
-    pub fn open(path: &Path) -> Result<Self, ReadError> {
-        Self::read(BufReader::new(File::open(path)?), &path.display().to_string())
-    }
-}
-
-impl<R: Read, F: Recordable> Recording<R, F> {
-    fn new(about: About, walls: Map, records: Records<R>, label: &str) -> Self {
-        Self { about, walls, frames: Frames::new(records), label: label.to_owned() }
-    }
-}
-
-impl<R: Read> Recording<R> {
-    /// Begins to read a recording of a chain; `label` names it in messages about its scenario.
-    ///
-    /// # Errors
-    /// [`ReadError`]: no MCAP file, not ours, damaged where it begins, or of an exploration.
-    pub fn read(input: R, label: &str) -> Result<Self, ReadError> {
-        match AnyRecording::read(input, label)? {
-            AnyRecording::Chain(recording) => Ok(*recording),
-            AnyRecording::Explore(_) => {
-                Err(ReadError::OtherKind { expected: "a chain", found: "an exploration" })
-            }
-        }
-    }
-
-    /// The course that was flown, in the walls that were recorded; map files are not read. Frames with another number
-    /// of UAVs are refused from here on.
-    ///
-    /// # Errors
-    /// [`ReadError::Scenario`]: a scenario that this version cannot fly.
-    pub fn course(&mut self) -> Result<Course, ReadError> {
-        let course = self.about.course(&self.label, self.walls.clone()).map_err(Box::new)?;
-        self.frames.expect_crew(course.spawns.len());
-        Ok(course)
-    }
-
-    /// Plays what is left of the run and sums it up; `course` is its own. Of a whole run that is the summary the run
-    /// itself came to.
-    ///
-    /// # Errors
-    /// [`PlayError`].
-    pub fn summary(
-        &mut self,
-        course: &Course,
-        recorder: &mut impl Recorder<Frame>,
-    ) -> Result<Summary, PlayError> {
-        let (mut metrics, mut digest) = (Metrics::new(course), Digest::default());
-        self.frames.play(&mut ((&mut metrics, &mut digest), recorder))?;
-        Ok(metrics.summary(self.about.seed, digest.hex()))
-    }
-}
-
-impl<R: Read> Recording<R, ExploreFrame> {
-    /// Begins to read a recording of an exploration; `label` names it in messages about its scenario.
-    ///
-    /// # Errors
-    /// [`ReadError`]: no MCAP file, not ours, damaged where it begins, or of a chain.
-    pub fn read_exploration(input: R, label: &str) -> Result<Self, ReadError> {
-        match AnyRecording::read(input, label)? {
-            AnyRecording::Explore(recording) => Ok(*recording),
-            AnyRecording::Chain(_) => {
-                Err(ReadError::OtherKind { expected: "an exploration", found: "a chain" })
-            }
-        }
-    }
-
-    /// The site that was explored, in the walls that were recorded; map files are not read. Frames with another number
-    /// of robots are refused from here on.
-    ///
-    /// # Errors
-    /// [`ReadError::Scenario`]: a scenario that this version cannot fly.
-    pub fn site(&mut self) -> Result<Site, ReadError> {
-        let site = self.about.site(&self.label, self.walls.clone()).map_err(Box::new)?;
-        self.frames.expect_crew(site.spawns.len());
-        Ok(site)
-    }
-
-    /// Plays what is left of the exploration and sums it up; `site` is its own. Of a whole one that is the summary the
-    /// run itself came to.
-    ///
-    /// # Errors
-    /// [`PlayError`].
-    pub fn summary(
-        &mut self,
-        site: &Site,
-        recorder: &mut impl Recorder<ExploreFrame>,
-    ) -> Result<(ExploreSummary, Survey), PlayError> {
-        let (mut metrics, mut digest) = (ExploreMetrics::new(site), Digest::default());
-        self.frames.play(&mut ((&mut metrics, &mut digest), recorder))?;
-        Ok(metrics.finish(self.about.seed, digest.hex()))
-    }
 }
 
 impl<R: Read, F: Recordable> Frames<R, F> {

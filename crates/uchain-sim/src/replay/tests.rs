@@ -1,21 +1,29 @@
 use std::collections::BTreeMap;
 
-use super::{About, End, ReadError, Recording, about};
+use std::sync::Arc;
+
+use super::Recording;
 use crate::mission::chain::McapRecorder;
 use crate::{
-    config::{PRESETS, builtin, builtin_names},
-    mission::chain::{Course, Frame},
-    record::{RecordError, Recorder, mcap::PlayError},
+    config::{PRESETS, Source, builtin, builtin_names},
+    mission::{
+        Scene as _,
+        chain::{Course, Frame, Scenario},
+    },
+    record::{
+        RecordError, Recorder,
+        mcap::{About, End, PlayError, ReadError, about},
+    },
     replay,
     run::run,
 };
 
-fn course(name: &str, sets: &[&str]) -> Course {
+fn course(name: &str, sets: &[&str]) -> std::sync::Arc<Course> {
     let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
     Course::read(&builtin(name).unwrap(), &sets).unwrap()
 }
 
-fn about_of(course: &Course, seed: u64) -> About {
+fn about_of(course: &Arc<Course>, seed: u64) -> About {
     About::of(course.scenario.to_toml().unwrap(), &course.map, seed)
 }
 
@@ -30,7 +38,7 @@ impl<F: Clone> Recorder<F> for All<F> {
     }
 }
 
-fn recorded(course: &Course, seed: u64) -> (Vec<u8>, Vec<Frame>) {
+fn recorded(course: &Arc<Course>, seed: u64) -> (Vec<u8>, Vec<Frame>) {
     let mut both = (McapRecorder::start(Vec::new(), course, seed).unwrap(), All(Vec::new()));
     run(course, seed, &mut both).unwrap();
     (both.0.finish().unwrap(), both.1.0)
@@ -41,8 +49,8 @@ fn every_frame_comes_back_as_it_was() {
     let course = course("corner", &["duration_s=40"]);
     let (file, frames) = recorded(&course, 3);
     assert!(frames.iter().any(|frame| frame.links.len() > 1), "a chain, or little is tested");
-    let mut recording = Recording::read(file.as_slice(), "memory").unwrap();
-    let mut read = All(Vec::new());
+    let mut recording = Recording::<_, Course>::read(file.as_slice(), "memory").unwrap();
+    let mut read = All::<Frame>(Vec::new());
     recording.frames.play(&mut read).unwrap();
     assert_eq!(read.0, frames);
     assert_eq!(recording.frames.end(), Some(End::Whole));
@@ -56,13 +64,15 @@ fn the_scenario_in_a_recording_is_the_whole_scenario() {
         builtin_names().iter().filter(|name| !["stata", "apartment", "corridors", "lab"].contains(name))
     {
         for sets in [&[][..], &presets[..1], &presets[1..]] {
-            let mut asked = Course::read(&builtin(name).unwrap(), sets).unwrap();
+            let asked = Course::read(&builtin(name).unwrap(), sets).unwrap();
             let about = about_of(&asked, 1);
             let map = about::walls_from_csv(about::walls_to_csv(&asked.map).as_bytes()).unwrap();
             assert_eq!(map.walls(), asked.map.walls());
-            let again = about.course("memory", map).unwrap();
-            asked.scenario.preset = None;
-            assert_eq!(again.scenario, asked.scenario, "{name} {sets:?}");
+            let source = Source { text: about.scenario, ..builtin(name).unwrap() };
+            let map = map.with_offset_m(about.map_offset_m);
+            let again = Course::read_in(&source, map).unwrap();
+            let without = Scenario { preset: None, ..asked.scenario.clone() };
+            assert_eq!(again.scenario, without, "{name} {sets:?}");
             assert_eq!(again.spawns, asked.spawns);
             assert_eq!(again.map.offset_m(), asked.map.offset_m());
         }
@@ -126,13 +136,15 @@ impl Recorder<Frame> for Tamper {
 fn verify_finds_a_planted_ulp_at_its_tick_and_nothing_where_nothing_was_planted() {
     let course = course("corner", &["duration_s=60"]);
     let (file, frames) = recorded(&course, 1);
-    let verdict = replay::verify(&mut Recording::read(file.as_slice(), "memory").unwrap()).unwrap();
+    let verdict =
+        replay::verify(&mut Recording::<_, Course>::read(file.as_slice(), "memory").unwrap()).unwrap();
     assert!(verdict.agrees() && verdict.ticks == 1200 && verdict.end == Some(End::Whole), "{verdict:?}");
 
     let mut tamper = Tamper(McapRecorder::start(Vec::new(), &course, 1).unwrap());
     run(&course, 1, &mut tamper).unwrap();
     let file = tamper.0.finish().unwrap();
-    let verdict = replay::verify(&mut Recording::read(file.as_slice(), "memory").unwrap()).unwrap();
+    let verdict =
+        replay::verify(&mut Recording::<_, Course>::read(file.as_slice(), "memory").unwrap()).unwrap();
     assert!(!verdict.agrees());
     let true_m = frames[776].uavs[1].x_m;
     let words = format!("tick 777 (38.85 s), UAV 1, x_m: {} and {true_m}", true_m.next_up());
@@ -147,13 +159,15 @@ fn a_recording_that_is_longer_than_its_scenario_is_refused_and_a_shorter_one_was
     let mut liar = McapRecorder::start(Vec::new(), &short, 1).unwrap();
     run(&long, 1, &mut liar).unwrap();
     let file = liar.finish().unwrap();
-    let error = replay::verify(&mut Recording::read(file.as_slice(), "memory").unwrap()).unwrap_err();
+    let error =
+        replay::verify(&mut Recording::<_, Course>::read(file.as_slice(), "memory").unwrap()).unwrap_err();
     assert!(matches!(error, ReadError::Frame { tick: 40, .. }), "{error}");
 
     let mut liar = McapRecorder::start(Vec::new(), &long, 1).unwrap();
     run(&short, 1, &mut liar).unwrap();
     let file = liar.finish().unwrap();
-    let verdict = replay::verify(&mut Recording::read(file.as_slice(), "memory").unwrap()).unwrap();
+    let verdict =
+        replay::verify(&mut Recording::<_, Course>::read(file.as_slice(), "memory").unwrap()).unwrap();
     assert!(
         verdict.agrees() && (verdict.ticks, verdict.of) == (40, 60),
         "as if it had been stopped: {verdict:?}"
@@ -167,8 +181,8 @@ fn frames_of_another_number_of_uavs_are_refused() {
     let mut liar = McapRecorder::start(Vec::new(), &three, 1).unwrap();
     run(&four, 1, &mut liar).unwrap();
     let file = liar.finish().unwrap();
-    let mut recording = Recording::read(file.as_slice(), "memory").unwrap();
-    let course = recording.course().unwrap();
+    let mut recording = Recording::<_, Course>::read(file.as_slice(), "memory").unwrap();
+    let course = recording.scene().unwrap();
     let error = recording.summary(&course, &mut ()).unwrap_err();
     assert!(matches!(error, PlayError::Read(ReadError::Frame { tick: 0, .. })), "{error}");
 }
@@ -199,12 +213,13 @@ fn a_full_disk_ends_the_run_in_words_and_leaves_a_readable_file() {
             Err(error) => error.to_string(),
         };
         assert!(ended.starts_with("cannot write the recording: "), "{ended}");
-        let mut read = All(Vec::new());
-        match Recording::read(disk.0.as_slice(), "memory") {
+        let mut read = All::<Frame>(Vec::new());
+        match Recording::<_, Course>::read(disk.0.as_slice(), "memory") {
             Ok(mut recording) => {
                 recording.frames.play(&mut read).unwrap();
                 assert_eq!(recording.frames.end(), Some(End::CutShort));
-                match replay::verify(&mut Recording::read(disk.0.as_slice(), "memory").unwrap()) {
+                match replay::verify(&mut Recording::<_, Course>::read(disk.0.as_slice(), "memory").unwrap())
+                {
                     Ok(verdict) => assert!(verdict.agrees() && verdict.ticks > 0, "{verdict:?}"),
                     Err(error) => assert!(matches!(error, ReadError::NoFrames), "{error}"),
                 }

@@ -1,50 +1,50 @@
-//! Charts that several courses share: most variants of a sweep leave tunnel and losses alone.
+//! A cache of tables that several courses share: most variants of a sweep leave tunnel and losses alone.
 
 use std::{
     collections::VecDeque,
     sync::{Arc, Mutex, OnceLock, PoisonError},
 };
 
-use super::Chart;
+use super::BottleneckTable;
 use crate::{
     map::{Segment, Tunnel},
     radio::PathLossParams,
 };
 
-/// Charts kept, each up to 5 MB.
+/// TableCache kept, each up to 5 MB.
 const KEPT: usize = 16;
 
-/// All that a chart depends on: walls, the way between them, and losses without noise.
+/// All that a table depends on: walls, the way between them, and losses without noise.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct ChartKey {
+pub(crate) struct TableKey {
     walls: Vec<Segment>,
     tunnel: Tunnel,
     radio: PathLossParams,
 }
 
-impl ChartKey {
+impl TableKey {
     pub(crate) fn new(walls: &[Segment], tunnel: &Tunnel, radio: &PathLossParams) -> Self {
         let radio = PathLossParams { sigma_db: 0.0, ..radio.clone() };
         Self { walls: walls.to_vec(), tunnel: tunnel.clone(), radio }
     }
 }
 
-/// A chart, as soon as somebody has drawn it.
-type Place = Arc<OnceLock<Arc<Chart>>>;
+/// A table, as soon as somebody has drawn it.
+type Place = Arc<OnceLock<Arc<BottleneckTable>>>;
 
-/// The last few charts.
+/// The last few tables.
 #[derive(Debug, Default)]
-pub(crate) struct Charts {
-    kept: Mutex<VecDeque<(ChartKey, Place)>>,
+pub struct TableCache {
+    kept: Mutex<VecDeque<(TableKey, Place)>>,
 }
 
-impl Charts {
-    /// The chart of a key, drawn by the first thread that asks for it; others that want the same one wait.
-    pub(crate) fn get(&self, key: ChartKey, draw: impl FnOnce() -> Chart) -> Arc<Chart> {
+impl TableCache {
+    /// The table of a key, drawn by the first thread that asks for it; others that want the same one wait.
+    pub(crate) fn get(&self, key: TableKey, draw: impl FnOnce() -> BottleneckTable) -> Arc<BottleneckTable> {
         self.place(key).get_or_init(|| Arc::new(draw())).clone()
     }
 
-    fn place(&self, key: ChartKey) -> Place {
+    fn place(&self, key: TableKey) -> Place {
         // Nobody panics while holding the lock; were it so, what is kept would still be whole.
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         let known = kept.iter().position(|(known, _)| *known == key);
@@ -68,23 +68,24 @@ mod tests {
     use super::*;
     use crate::{config::builtin, mission::chain::Course};
 
-    fn corner(charts: &Arc<Charts>, sets: &[&str]) -> Course {
+    fn corner(tables: &Arc<TableCache>, sets: &[&str]) -> std::sync::Arc<Course> {
         let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
-        Course { charts: charts.clone(), ..Course::read(&builtin("corner").unwrap(), &sets).unwrap() }
+        let course = Course::read(&builtin("corner").unwrap(), &sets).unwrap();
+        Arc::new(Course { tables: tables.clone(), ..(*course).clone() })
     }
 
     fn are_one(a: &Course, b: &Course) -> bool {
-        std::ptr::eq(a.yardstick().unwrap().chart(), b.yardstick().unwrap().chart())
+        std::ptr::eq(a.optimum().unwrap().table(), b.optimum().unwrap().table())
     }
 
     #[test]
     fn courses_of_one_tunnel_and_one_loss_share_a_chart_and_others_do_not() {
-        let charts = Arc::default();
-        let first = corner(&charts, &[]);
+        let tables = Arc::default();
+        let first = corner(&tables, &[]);
         for same in
             ["tof.noise_m=0.1", "radio.sigma_db=0.5", "chain.uavs=3", "duration_s=9", "takeoff.s_min_db=50"]
         {
-            assert!(are_one(&first, &corner(&charts, &[same])), "{same}");
+            assert!(are_one(&first, &corner(&tables, &[same])), "{same}");
         }
         for other in [
             "radio.alpha_free=3",
@@ -95,11 +96,11 @@ mod tests {
             "chain.base_m=[1.1, 0.0]",
             "chain.goal_m=[4.0, -5.0]",
         ] {
-            let shared = corner(&charts, &[other]);
+            let shared = corner(&tables, &[other]);
             assert!(!are_one(&first, &shared), "{other}");
             // What is shared is what a course would have drawn by itself.
             let alone = corner(&Arc::default(), &[other]);
-            assert_eq!(shared.yardstick().unwrap().chart(), alone.yardstick().unwrap().chart(), "{other}");
+            assert_eq!(shared.optimum().unwrap().table(), alone.optimum().unwrap().table(), "{other}");
         }
         assert!(!are_one(&first, &corner(&Arc::default(), &[])));
     }
@@ -107,18 +108,18 @@ mod tests {
     #[test]
     fn no_more_charts_are_kept_than_there_is_room_for_and_the_latest_stay() {
         let course = corner(&Arc::default(), &[]);
-        let (charts, tunnel) = (Charts::default(), course.tunnel.unwrap());
+        let (tables, tunnel) = (TableCache::default(), course.tunnel.clone().unwrap());
         let get = |alpha_free: f32, drawn: &mut usize| {
             let radio = PathLossParams { alpha_free, ..PathLossParams::default() };
-            charts.get(ChartKey::new(&[], &tunnel, &radio), || {
+            tables.get(TableKey::new(&[], &tunnel, &radio), || {
                 *drawn += 1;
-                Chart::new(|_, _| 1.0, 1.0, 0.5, 1)
+                BottleneckTable::new(|_, _| 1.0, 1.0, 0.5, 1)
             });
         };
         let mut drawn = 0;
         for round in 1..=3 {
             (0..=KEPT).for_each(|alpha| get(alpha as f32, &mut drawn));
-            assert_eq!(charts.kept.lock().unwrap().len(), KEPT);
+            assert_eq!(tables.kept.lock().unwrap().len(), KEPT);
             // One key too many for all: each has gone when its turn comes again.
             assert_eq!(drawn, round * (KEPT + 1));
         }

@@ -2,16 +2,16 @@
 
 use uchain_core::bounded;
 
-/// Most samples of a chart: the losses between all pairs of them take 9 MB while it is drawn.
+/// Most samples of a table: the losses between all pairs of them take 9 MB while it is drawn.
 pub const MOST_SAMPLES: usize = 1_500;
-/// Most links of a chart.
+/// Most links of a table.
 pub const MOST_LINKS: usize = 1_001;
 
 /// For every number of links and every sampled depth of the head, the least worst link.
 ///
 /// Relays stand on samples, so a bottleneck read from here is one that can be had, and no less than the optimum.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Chart {
+pub struct BottleneckTable {
     depth_m: f64,
     step_m: f64,
     /// Row after row, one per number of links, one entry per sample.
@@ -21,14 +21,14 @@ pub struct Chart {
     samples: usize,
 }
 
-impl Chart {
-    /// Draws the chart of a tunnel of `depth_m`, for up to `links_max` links (at most [`MOST_LINKS`]), on samples
+impl BottleneckTable {
+    /// Draws the table of a tunnel of `depth_m`, for up to `links_max` links (at most [`MOST_LINKS`]), on samples
     /// `step_m` apart; farther where that would be more than [`MOST_SAMPLES`], a little nearer so that the last
     /// one is the tunnel's end. `loss_db` of two depths, the shallower one first; what is not a number counts as
     /// no connection at all. It is asked once for every pair of samples.
     ///
     /// Dynamic programming: the best of n links at sample i is the least, over samples j, of the worse of the best
-    /// of n − 1 links at j and the link from j to i. The chart ends early where one more link helps nowhere.
+    /// of n − 1 links at j and the link from j to i. The table ends early where one more link helps nowhere.
     pub fn new(loss_db: impl Fn(f64, f64) -> f64, depth_m: f64, step_m: f64, links_max: usize) -> Self {
         let depth_m = if depth_m.is_finite() { depth_m.max(0.0) } else { 0.0 };
         let steps = (depth_m / step_m).ceil();

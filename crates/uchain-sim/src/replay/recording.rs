@@ -1,0 +1,107 @@
+//! A recording of a known mission.
+
+use std::{
+    fs::File,
+    io::{BufReader, Read},
+    path::Path,
+    sync::Arc,
+};
+
+use crate::{
+    analyse::Digest,
+    config::Source,
+    map::Map,
+    mission::{Metrics as _, Recorded, Scene},
+    record::{
+        Recorder,
+        mcap::{About, Frames, Opened, PlayError, ReadError},
+    },
+    run::{FrameOf, MetricsOf, SummaryOf},
+};
+
+/// A recording of what is flown in scenes of this kind, read from front to back. Memory: one record of the file, mostly a
+/// chunk of 64 KiB and never more than 64 MiB, and the walls.
+///
+/// Nothing is believed unchecked: a damaged file is refused at the damage, and the frames before it are those that
+/// were written. A file that was cut short, or that ends in zeros where it was not on the disk yet when the power went, is
+/// read to its last whole chunk; [`Frames::end`] tells.
+#[derive(Debug)]
+pub struct Recording<R, S: Scene<Mission: Recorded>> {
+    /// What it is of.
+    pub about: About,
+    /// The walls that were recorded.
+    pub walls: Map,
+    /// The frames that have not been read yet.
+    pub frames: Frames<R, FrameOf<S>>,
+    source: Source,
+}
+
+impl<S: Scene<Mission: Recorded>> Recording<BufReader<File>, S> {
+    /// Opens a recording; messages call it by its path.
+    ///
+    /// # Errors
+    /// [`ReadError`].
+    pub fn open(path: &Path) -> Result<Self, ReadError> {
+        Opened::open(path).map(Self::from)
+    }
+}
+
+impl<R: Read, S: Scene<Mission: Recorded>> From<Opened<R>> for Recording<R, S> {
+    fn from(opened: Opened<R>) -> Self {
+        Self {
+            about: opened.about.clone(),
+            walls: opened.walls.clone(),
+            source: opened.source(),
+            frames: opened.frames(),
+        }
+    }
+}
+
+impl<R: Read, S: Scene<Mission: Recorded>> Recording<R, S> {
+    /// Begins to read a recording; `label` names it in messages about its scenario.
+    ///
+    /// # Errors
+    /// [`ReadError`]: no MCAP file, not ours, or damaged where it begins.
+    pub fn read(input: R, label: &str) -> Result<Self, ReadError> {
+        Opened::read(input, label).map(Self::from)
+    }
+
+    /// The scene that was flown in, in the walls that were recorded; map files are not read. Frames with another number
+    /// of robots are refused from here on.
+    ///
+    /// # Errors
+    /// [`ReadError::Scenario`]: a scenario that this version cannot fly, or of another mission.
+    pub fn scene(&mut self) -> Result<Arc<S>, ReadError> {
+        let map = self.walls.clone().with_offset_m(self.about.map_offset_m);
+        let scene = S::read_in(&self.source, map).map_err(Box::new)?;
+        self.frames.expect_crew(scene.crew());
+        Ok(scene)
+    }
+
+    /// Plays what is left of the run and sums it up; the scene is its own. Of a whole run that is the summary the run
+    /// itself came to.
+    ///
+    /// # Errors
+    /// [`PlayError`].
+    pub fn summary(
+        &mut self,
+        scene: &Arc<S>,
+        recorder: &mut impl Recorder<FrameOf<S>>,
+    ) -> Result<SummaryOf<S>, PlayError> {
+        self.play(scene, recorder).map(|(summary, _)| summary)
+    }
+
+    /// Like [`Recording::summary`], and gives what summed it up: it may know more than the summary, for pictures.
+    ///
+    /// # Errors
+    /// [`PlayError`].
+    pub fn play(
+        &mut self,
+        scene: &Arc<S>,
+        recorder: &mut impl Recorder<FrameOf<S>>,
+    ) -> Result<(SummaryOf<S>, MetricsOf<S>), PlayError> {
+        let (mut metrics, mut digest) = (MetricsOf::<S>::of(scene.clone()), Digest::default());
+        self.frames.play(&mut ((&mut metrics, &mut digest), recorder))?;
+        Ok((metrics.sum_up(self.about.seed, digest.hex()), metrics))
+    }
+}
