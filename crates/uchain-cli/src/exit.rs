@@ -120,7 +120,7 @@ pub(crate) enum Failure {
     #[error(transparent)]
     Incomplete(FolderError),
     #[error("run {run} differs: its digest was {then}, now it is {now}")]
-    Otherwise { run: u64, then: String, now: String },
+    DigestDiffers { run: u64, then: String, now: String },
 }
 
 impl From<FlightError> for Failure {
@@ -208,7 +208,7 @@ impl Failure {
             | Self::Incomplete(FolderError::Interrupted)
             | Self::Run(RecordError::Interrupted { .. })
             | Self::Cut { error: RecordError::Interrupted { .. }, .. } => Exit::Interrupted,
-            Self::Differ | Self::Otherwise { .. } => Exit::Differ,
+            Self::Differ | Self::DigestDiffers { .. } => Exit::Differ,
             Self::Sweep(error) => sweep_exit(error),
             Self::Write { .. }
             | Self::Json(_)

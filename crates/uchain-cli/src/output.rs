@@ -80,14 +80,14 @@ pub(crate) struct Folder {
     path: PathBuf,
     // Given back before folders go.
     _lock: Lock,
-    _made: Made,
+    _made: CreatedFolders,
 }
 
 /// Folders that were not there before, the innermost first. They go again if nothing came into them.
 #[derive(Debug)]
-struct Made(Vec<PathBuf>);
+struct CreatedFolders(Vec<PathBuf>);
 
-impl Drop for Made {
+impl Drop for CreatedFolders {
     fn drop(&mut self) {
         let is_lock = |entry: io::Result<fs::DirEntry>| entry.is_ok_and(|entry| entry.file_name() == LOCK);
         if let Some(innermost) = self.0.first()
@@ -111,7 +111,7 @@ impl Folder {
 
     fn enter(path: PathBuf) -> Result<Self, Failure> {
         let is_new = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.exists();
-        let made = Made(path.ancestors().take_while(is_new).map(Path::to_owned).collect());
+        let made = CreatedFolders(path.ancestors().take_while(is_new).map(Path::to_owned).collect());
         let failed = |cause| Failure::Write { file: path.clone(), cause };
         fs::create_dir_all(&path).map_err(failed)?;
         let folder = match Lock::take(&path) {

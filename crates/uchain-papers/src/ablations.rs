@@ -33,7 +33,7 @@ struct Ablation {
     lines: Option<(&'static str, &'static [&'static str])>,
 }
 
-const fn one(
+const fn ablation(
     id: &'static str,
     title: &'static str,
     key: &'static str,
@@ -44,37 +44,49 @@ const fn one(
 }
 
 const LIST: [Ablation; 10] = [
-    one("flow", "without and with optic flow (A)", "kalman.flow_gain_db_per_m", &["0", "10.7"], 1),
+    ablation("flow", "without and with optic flow (A)", "kalman.flow_gain_db_per_m", &["0", "10.7"], 1),
     Ablation {
         lines: Some(("link.gap", &["\"hold\"", "\"predict\""])),
-        ..one("loss", "packets lost, held and predicted", "packets.drop_rate", &["0", "0.2", "0.4", "0.6"], 1)
+        ..ablation(
+            "loss",
+            "packets lost, held and predicted",
+            "packets.drop_rate",
+            &["0", "0.2", "0.4", "0.6"],
+            1,
+        )
     },
-    one("sigma", "noise of the radio", "radio.sigma_db", &["0", "1", "2", "3", "5", "7", "10"], 3),
-    one(
+    ablation("sigma", "noise of the radio", "radio.sigma_db", &["0", "1", "2", "3", "5", "7", "10"], 3),
+    ablation(
         "gain",
         "A times 0.2 to 5",
         "kalman.flow_gain_db_per_m",
         &["2.14", "5.35", "10.7", "21.4", "53.5"],
         2,
     ),
-    one("k", "k of Eq. 12", "equalize.k_db_per_m", &["6", "10", "15", "25", "40", "64", "100"], 3),
-    one(
+    ablation("k", "k of Eq. 12", "equalize.k_db_per_m", &["6", "10", "15", "25", "40", "64", "100"], 3),
+    ablation(
         "rate",
         "decisions at 20, 10, 5, 2 and 1 Hz",
         "equalize.decision_s",
         &["0.05", "0.1", "0.2", "0.5", "1"],
         2,
     ),
-    one("tof", "noise of the ToF sensors", "tof.noise_m", &["0", "0.01", "0.03", "0.1", "0.2"], 1),
-    one(
+    ablation("tof", "noise of the ToF sensors", "tof.noise_m", &["0", "0.01", "0.03", "0.1", "0.2"], 1),
+    ablation(
         "law",
         "the three speed laws",
         "equalize.law",
         &["\"lipschitz\"", "\"inverse-model\"", "\"bang-bang\""],
         0,
     ),
-    one("hold", "how long s_min must be exceeded", "takeoff.launch_hold_s", &["0", "0.4", "1", "2", "4"], 2),
-    one("tolerance", "tolerance T", "equalize.tolerance_db", &["0", "2", "5", "8"], 0),
+    ablation(
+        "hold",
+        "how long s_min must be exceeded",
+        "takeoff.launch_hold_s",
+        &["0", "0.4", "1", "2", "4"],
+        2,
+    ),
+    ablation("tolerance", "tolerance T", "equalize.tolerance_db", &["0", "2", "5", "8"], 0),
 ];
 
 /// How a comparison begins that shows a faster convergence.

@@ -22,5 +22,5 @@ pub(crate) fn repro(registry: Registry, asked: &Repro) -> Result<(), Failure> {
     let now = flight.fly(&*scene)?;
     // A row without a digest says why; now there is one.
     let then = digest.or(failed).unwrap_or_default();
-    if then == now { Ok(()) } else { Err(Failure::Otherwise { run: run.index, then, now }) }
+    if then == now { Ok(()) } else { Err(Failure::DigestDiffers { run: run.index, then, now }) }
 }

@@ -1,4 +1,4 @@
-//! Laclau 2021, Fig. 4A to C: UAVs at random places of three corridors level their links.
+//! Laclau 2021, Fig. 4A to C: convergence from random initial positions in three corridors.
 
 use std::sync::Arc;
 
@@ -54,7 +54,7 @@ const CORRIDORS: [(&str, &str); 3] = [
 ];
 
 /// One run.
-struct Levelling {
+struct ConvergenceRun {
     /// Where relays start, head first (m).
     starts_m: Vec<f64>,
     /// Of the first run.
@@ -64,7 +64,7 @@ struct Levelling {
     samples: Vec<Sample>,
 }
 
-fn scenario(name: &str, centre_line: &str) -> String {
+fn corridor_scenario(name: &str, centre_line: &str) -> String {
     format!(
         "name = \"fig4abc-{name}\"\npreset = \"frontiers2021\"\nduration_s = 30.0\n\
          [map.corridor]\n{centre_line}\nwidth_m = {WIDTH_M}\n\
@@ -76,7 +76,7 @@ fn scenario(name: &str, centre_line: &str) -> String {
     )
 }
 
-/// How a UAV that starts in a corner looks.
+/// Heading of a UAV that starts in a corner.
 #[derive(Clone, Copy)]
 enum Heading {
     /// As one does that flies round it: from a corridor's width behind to a width ahead.
@@ -85,8 +85,8 @@ enum Heading {
     Along,
 }
 
-/// The head where it stays, relays anywhere behind it, in order.
-fn scattered(course: &Arc<Course>, seed: u64, heading: Heading) -> Arc<Course> {
+/// Initial positions drawn at random (rejection sampling): the head where it stays, relays anywhere behind it, in order.
+fn with_random_starts(course: &Arc<Course>, seed: u64, heading: Heading) -> Arc<Course> {
     let mut course = Course::clone(course);
     let Some(tunnel) = course.tunnel.clone() else { return Arc::new(course) };
     let mut draws = Seed(seed).stream(0, Draws::Start);
@@ -113,8 +113,8 @@ fn scattered(course: &Arc<Course>, seed: u64, heading: Heading) -> Arc<Course> {
     Arc::new(course)
 }
 
-fn level(course: &Arc<Course>, one: Run, heading: Heading) -> Result<Levelling, RecordError> {
-    let course = scattered(course, one.seed, heading);
+fn fly(course: &Arc<Course>, one: Run, heading: Heading) -> Result<ConvergenceRun, RecordError> {
+    let course = with_random_starts(course, one.seed, heading);
     let relays = course.spawns.iter().skip(1);
     let starts_m = relays.filter_map(|spawn| course.depth_m(spawn.at)).map(f64::from).collect();
     let Trace { mut samples, summary, recorded } = record_trace(&course, one)?;
@@ -125,7 +125,7 @@ fn level(course: &Arc<Course>, one: Run, heading: Heading) -> Result<Levelling, 
     if recorded.is_none() {
         samples.clear();
     }
-    Ok(Levelling { starts_m, recorded, converged_s, end_spread_db, samples })
+    Ok(ConvergenceRun { starts_m, recorded, converged_s, end_spread_db, samples })
 }
 
 fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
@@ -144,9 +144,9 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     );
     let (mut axes, mut in_the_corner) = (Vec::new(), None);
     for (panel, (name, centre_line)) in ["A", "B", "C"].iter().zip(CORRIDORS) {
-        let source = inline_scenario(name, scenario(name, centre_line));
+        let source = inline_scenario(name, corridor_scenario(name, centre_line));
         let experiment = Experiment { source, sets: &[], vary: &[], replicates: STARTS };
-        let all: Vec<Levelling> = chains(experiment, |course, run| level(course, run, Heading::Across))?
+        let all: Vec<ConvergenceRun> = chains(experiment, |course, run| fly(course, run, Heading::Across))?
             .into_iter()
             .flatten()
             .collect();
@@ -170,7 +170,7 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
         ));
         if name == "corner" {
             outcome.rows.extend(corner(&all, centre_line)?);
-            in_the_corner = Some(who_never_converges(&all));
+            in_the_corner = Some(note_on_failures(&all));
         }
         for (replicate, run) in all.iter().enumerate() {
             let words = [name.to_owned(), replicate.to_string()];
@@ -198,13 +198,13 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
 }
 
 /// The last relay starts beyond the sharp corner.
-fn is_beyond(run: &Levelling) -> bool {
+fn is_beyond(run: &ConvergenceRun) -> bool {
     run.starts_m.last().is_some_and(|depth_m| *depth_m > CORNER_M)
 }
 
-/// Where relays of the corner start that never level their links.
-fn who_never_converges(all: &[Levelling]) -> String {
-    let never = |runs: &[Levelling]| runs.iter().filter(|run| run.converged_s.is_none()).count();
+/// A note on the runs of the corner that never converge: where their relays start.
+fn note_on_failures(all: &[ConvergenceRun]) -> String {
+    let never = |runs: &[ConvergenceRun]| runs.iter().filter(|run| run.converged_s.is_none()).count();
     let beyond = all.iter().filter(|run| run.converged_s.is_none() && is_beyond(run)).count();
     format!(
         "Of the {} starts of the corner that do not converge, {beyond} have the last relay beyond it, which then has to fly \
@@ -215,12 +215,12 @@ fn who_never_converges(all: &[Levelling]) -> String {
 }
 
 /// What matters at the sharp corner: who starts beyond it, and how it looks.
-fn corner(all: &[Levelling], centre_line: &str) -> Result<[Row; 2], PaperError> {
-    let beyond: Vec<&Levelling> = all.iter().filter(|run| is_beyond(run)).collect();
+fn corner(all: &[ConvergenceRun], centre_line: &str) -> Result<[Row; 2], PaperError> {
+    let beyond: Vec<&ConvergenceRun> = all.iter().filter(|run| is_beyond(run)).collect();
     let converged = beyond.iter().filter(|run| run.converged_s.is_some()).count();
-    let source = inline_scenario("corner", scenario("corner", centre_line));
+    let source = inline_scenario("corner", corridor_scenario("corner", centre_line));
     let experiment = Experiment { source, sets: &[], vary: &[], replicates: REPLICATES as u64 };
-    let along = chains(experiment, |course, run| level(course, run, Heading::Along))?;
+    let along = chains(experiment, |course, run| fly(course, run, Heading::Along))?;
     let straight = along.iter().flatten().filter(|run| run.converged_s.is_some()).count();
     Ok([
         Row::fact(
@@ -234,7 +234,7 @@ fn corner(all: &[Levelling], centre_line: &str) -> Result<[Row; 2], PaperError> 
     ])
 }
 
-fn panel_of(title: &str, run: &Levelling) -> Axes {
+fn panel_of(title: &str, run: &ConvergenceRun) -> Axes {
     Axes {
         title: format!("{title} (dashed: true, light: raw)"),
         x: "time (s)".to_owned(),

@@ -66,7 +66,8 @@ fn regenerate(cache: &RunCache) -> Result<Outcome, PaperError> {
         }
     }
     outcome.tables.push(table);
-    let axes = TREATMENTS.iter().zip(flown.raw()).filter_map(|(name, runs)| Some(panel(name, runs.first()?)));
+    let axes =
+        TREATMENTS.iter().zip(flown.raw()).filter_map(|(name, runs)| Some(loss_axes(name, runs.first()?)));
     let title = "Losses in an exploration, three treatments, one run each (Laclau 2021, Fig. 4D)".to_owned();
     outcome.draw("fig4d", &Figure { title, axes: axes.collect() })?;
     for (treatment, runs) in TREATMENTS.iter().zip(flown.raw()) {
@@ -77,7 +78,7 @@ fn regenerate(cache: &RunCache) -> Result<Outcome, PaperError> {
     Ok(outcome)
 }
 
-fn fourth(runs: &[Flight]) -> usize {
+fn fourth_launches(runs: &[Flight]) -> usize {
     runs.iter().filter(|run| run.fourth_s().is_some()).count()
 }
 
@@ -87,7 +88,7 @@ fn launches(treated: &RunsByTreatment, how: &str) -> Vec<Row> {
     let words = |runs: &[Flight]| {
         let late = runs.iter().filter(|run| run.fourth_s().is_some_and(|at_s| at_s >= STOP_S)).count();
         let wasteful = runs.iter().filter(|run| run.is_wasteful()).count();
-        format!("{} of {} ({late} after the stop, {wasteful} unneeded)", fourth(runs), runs.len())
+        format!("{} of {} ({late} after the stop, {wasteful} unneeded)", fourth_launches(runs), runs.len())
     };
     let launched = |runs: &[Flight]| runs.iter().map(|run| run.fourth_s().is_some()).collect::<Vec<_>>();
     let p = is_rarer_in_pairs(&launched(k), &launched(t0));
@@ -136,7 +137,7 @@ fn notes(flown: &Exploration) -> Vec<String> {
         mean_with_interval(&runs.iter().map(|run| run.head_reach_m).collect::<Vec<_>>(), 1, " m")
     };
     let counts = |(name, treated): (&str, &RunsByTreatment)| {
-        let counts: Vec<String> = treated.iter().map(|runs| fourth(runs).to_string()).collect();
+        let counts: Vec<String> = treated.iter().map(|runs| fourth_launches(runs).to_string()).collect();
         format!("{} ({name})", counts.join(", "))
     };
     let counts: Vec<String> = flown.readings().map(counts).collect();
@@ -150,14 +151,14 @@ fn notes(flown: &Exploration) -> Vec<String> {
             reach(&flown.default_slowing),
             needed(&flown.default_slowing)
         ),
-        stretched(flown.raw()),
+        note_on_stretching(flown.raw()),
         format!(
             "The grounded next UAV measures the last link. In the authors' simulator it filters it whatever the relays do; \
              the text speaks of a single raw value that launches. Fourth launches of {REPLICATES} runs each under T0, T5 and \
              K: {} (published: one run of T0, at 80 s).",
             counts.join("; ")
         ),
-        flow(flown.simulated(), &flown.without_flow),
+        note_on_optic_flow(flown.simulated(), &flown.without_flow),
         "Pictures are of the second reading. Light lines are raw samples at a link's front end, which relays go by under T0 \
          and T5; solid ones what the filter makes of them under K."
             .to_owned(),
@@ -165,7 +166,7 @@ fn notes(flown: &Exploration) -> Vec<String> {
 }
 
 /// Whether the chain levels faster than the head stretches it.
-fn stretched(treated: &[Vec<Flight>]) -> String {
+fn note_on_stretching(treated: &[Vec<Flight>]) -> String {
     let times = |runs: &Vec<Flight>| runs.iter().filter_map(Flight::head_within_s).collect::<Vec<f64>>();
     let of = |(treatment, runs): (&&str, &Vec<Flight>)| {
         format!("{} under {treatment}", mean_with_interval(&times(runs), 1, " s"))
@@ -185,7 +186,7 @@ fn stretched(treated: &[Vec<Flight>]) -> String {
 }
 
 /// What optic flow has to do with fourth launches of K.
-fn flow(with: &[Flight], without: &[Flight]) -> String {
+fn note_on_optic_flow(with: &[Flight], without: &[Flight]) -> String {
     let launched = |runs: &[Flight]| runs.iter().map(|run| run.fourth_s().is_some()).collect::<Vec<_>>();
     let [fewer, more] =
         [(without, with), (with, without)].map(|(a, b)| is_rarer_in_pairs(&launched(a), &launched(b)));
@@ -204,15 +205,15 @@ fn flow(with: &[Flight], without: &[Flight]) -> String {
     format!(
         "Fourth launches of K by the authors' simulator: {} of {} runs with optic flow, {} of {} without (A = 0), McNemar \
          {}: {verdict}.",
-        fourth(with),
+        fourth_launches(with),
         with.len(),
-        fourth(without),
+        fourth_launches(without),
         without.len(),
         p_value(p)
     )
 }
 
-fn panel(name: &str, run: &Flight) -> Axes {
+fn loss_axes(name: &str, run: &Flight) -> Axes {
     let launches: Vec<String> = run.launches_s.iter().map(|at_s| format!("{at_s:.1}")).collect();
     let is_filtered = name == "K";
     let strokes = if is_filtered { "dashed: true, light: raw" } else { "dashed: true, light: raw, as used" };
@@ -246,10 +247,15 @@ mod tests {
 
     #[test]
     fn what_is_said_of_optic_flow_follows_the_launches() {
-        assert!(flow(&runs(8), &runs(0)).contains("8 of 30 runs with optic flow, 0 of 30 without"));
-        assert!(flow(&runs(8), &runs(0)).contains("optic flow launches them"));
-        assert!(flow(&runs(0), &runs(8)).contains("optic flow prevents them"));
-        assert!(flow(&runs(0), &runs(0)).contains("no difference that shows"));
-        assert!(flow(&runs(2), &runs(0)).contains("no difference that shows"), "two runs are chance");
+        assert!(
+            note_on_optic_flow(&runs(8), &runs(0)).contains("8 of 30 runs with optic flow, 0 of 30 without")
+        );
+        assert!(note_on_optic_flow(&runs(8), &runs(0)).contains("optic flow launches them"));
+        assert!(note_on_optic_flow(&runs(0), &runs(8)).contains("optic flow prevents them"));
+        assert!(note_on_optic_flow(&runs(0), &runs(0)).contains("no difference that shows"));
+        assert!(
+            note_on_optic_flow(&runs(2), &runs(0)).contains("no difference that shows"),
+            "two runs are chance"
+        );
     }
 }
