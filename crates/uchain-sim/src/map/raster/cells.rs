@@ -1,16 +1,7 @@
 //! From a picture's bytes to free cells and all others.
 
-use std::io::Cursor;
-
-use image::{DynamicImage, ImageReader, Limits};
-
-use super::words;
+use super::picture::{Picture, PictureError, Pixel};
 use crate::map::Unknown;
-
-/// Most cells along a side of the picture.
-pub(super) const MOST_SIDE: u32 = 16_384;
-/// Most cells of the picture.
-pub(super) const MOST_CELLS: u64 = 1 << 26;
 
 /// How a pixel's darkness is read.
 #[derive(Debug, Clone, Copy)]
@@ -46,39 +37,17 @@ impl Cells {
         Self { cols, rows: free.len().checked_div(cols).unwrap_or(0), free }
     }
 
-    pub(super) fn decode(bytes: &[u8], levels: Levels, unknown: Unknown) -> Result<Self, String> {
-        let mut limits = Limits::default();
-        limits.max_image_width = Some(MOST_SIDE);
-        limits.max_image_height = Some(MOST_SIDE);
-        let reader = || {
-            let mut reader = ImageReader::new(Cursor::new(bytes))
-                .with_guessed_format()
-                .map_err(|error| error.to_string())?;
-            reader.limits(limits.clone());
-            Ok::<_, String>(reader)
-        };
-        let (width, height) = reader()?.into_dimensions().map_err(|error| words::picture(&error))?;
-        if u64::from(width) * u64::from(height) > MOST_CELLS {
-            return Err(format!("{width} × {height} cells: more than {MOST_CELLS}"));
-        }
-        let picture = reader()?.decode().map_err(|error| words::picture(&error))?;
-        let cols = picture.width() as usize;
-        let opaque = levels.by_opacity.then(|| opaque(&picture)).flatten();
-        let mut free: Vec<bool> = match picture {
-            DynamicImage::ImageLuma8(grey) => {
-                grey.pixels().map(|pixel| levels.is_free(f64::from(pixel.0[0]), unknown)).collect()
-            }
-            // The mean is over the colours alone.
-            colours => {
-                let mean = |[r, g, b]: [u8; 3]| f64::from(u16::from(r) + u16::from(g) + u16::from(b)) / 3.0;
-                colours.into_rgb8().pixels().map(|pixel| levels.is_free(mean(pixel.0), unknown)).collect()
+    pub(super) fn decode(file: &[u8], levels: Levels, unknown: Unknown) -> Result<Self, PictureError> {
+        let picture = Picture::decode(file)?;
+        let cols = picture.cols();
+        let is_free = |pixel: Pixel| {
+            if levels.by_opacity && !pixel.opaque {
+                unknown == Unknown::Free
+            } else {
+                levels.is_free(pixel.mean, unknown)
             }
         };
-        for (free, opaque) in free.iter_mut().zip(opaque.into_iter().flatten()) {
-            if !opaque {
-                *free = unknown == Unknown::Free;
-            }
-        }
+        let mut free: Vec<bool> = picture.pixels().map(is_free).collect();
         // Pictures start at the top.
         let rows = free.len().checked_div(cols).unwrap_or(0);
         for row in 0..rows / 2 {
@@ -100,20 +69,5 @@ impl Cells {
     pub(super) fn is_free(&self, col: isize, row: isize) -> bool {
         let (Ok(col), Ok(row)) = (usize::try_from(col), usize::try_from(row)) else { return false };
         col < self.cols && self.free.get(row * self.cols + col).copied().unwrap_or(false)
-    }
-}
-
-/// Which pixels are wholly opaque; `None` for a picture without an alpha channel.
-fn opaque(picture: &DynamicImage) -> Option<Vec<bool>> {
-    match picture {
-        DynamicImage::ImageLumaA8(grey) => Some(grey.pixels().map(|pixel| pixel.0[1] == u8::MAX).collect()),
-        DynamicImage::ImageRgba8(colours) => {
-            Some(colours.pixels().map(|pixel| pixel.0[3] == u8::MAX).collect())
-        }
-        DynamicImage::ImageLumaA16(grey) => Some(grey.pixels().map(|pixel| pixel.0[1] == u16::MAX).collect()),
-        DynamicImage::ImageRgba16(colours) => {
-            Some(colours.pixels().map(|pixel| pixel.0[3] == u16::MAX).collect())
-        }
-        _ => None,
     }
 }

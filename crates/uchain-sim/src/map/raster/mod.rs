@@ -3,6 +3,7 @@
 mod cells;
 mod contour;
 mod moving_ai;
+mod picture;
 mod ros;
 mod simplify;
 #[cfg(test)]

@@ -62,7 +62,7 @@ pub fn read_ros(
     let image = yaml.parent().unwrap_or(Path::new("")).join(&meta.image);
     let wrong = |why: String| MapError::Image { file: yaml.to_owned(), image: image.clone(), why };
     let picture = read(&image, MOST_PICTURE_BYTES).map_err(wrong)?;
-    let cells = Cells::decode(&picture, meta.levels, unknown).map_err(wrong)?;
+    let cells = Cells::decode(&picture, meta.levels, unknown).map_err(|error| wrong(error.to_string()))?;
     to_map(&cells, meta.resolution_m, simplify_m, |corner| meta.place(corner), wrong)
 }
 

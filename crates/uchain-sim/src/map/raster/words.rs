@@ -1,9 +1,6 @@
-//! What is wrong with a map's files, in words for people: the libraries speak of their own insides.
+//! What is wrong with a map's yaml, in words for people: the library speaks of its own insides.
 
-use image::ImageError;
 use serde_saphyr::Error;
-
-use super::cells::{MOST_CELLS, MOST_SIDE};
 
 /// Why a yaml text cannot be read, with the line it stands in.
 pub(super) fn yaml(error: &Error, text: &str) -> String {
@@ -32,16 +29,5 @@ pub(super) fn yaml(error: &Error, text: &str) -> String {
                 place(line)
             ),
         },
-    }
-}
-
-/// Why a picture cannot be read.
-pub(super) fn picture(error: &ImageError) -> String {
-    match error {
-        ImageError::Unsupported(_) => "no picture that is read here; expected a PNG or PGM".to_owned(),
-        ImageError::Limits(_) => {
-            format!("too large a picture; expected at most {MOST_SIDE} cells a side and {MOST_CELLS} in all")
-        }
-        _ => "the picture is cut short or damaged; save it anew as PNG or PGM".to_owned(),
     }
 }
