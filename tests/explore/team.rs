@@ -166,7 +166,7 @@ impl<'a> Team<'a> {
         let mut commands = Vec::new();
         for (robot, ruling) in self.robots.iter_mut().zip(rulings) {
             let own = robot.clone().resolve(&self.params);
-            commands.push(robot.obey(ruling, &self.params));
+            commands.push(robot.follow_ruling(ruling, &self.params));
             assert_eq!(commands.last(), Some(&own), "a robot rules for itself as one does for all");
         }
         self.fly(&targets, &commands);

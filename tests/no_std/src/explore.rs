@@ -69,7 +69,7 @@ pub extern "C" fn explore(rounds: u32, wall_m: f32) -> f32 {
             robot.hear(&message);
         }
         let told = match rule(&[target], &params).first() {
-            Some(&ruling) => robot.obey(ruling, &params),
+            Some(&ruling) => robot.follow_ruling(ruling, &params),
             None => robot.resolve(&params),
         };
         flown_m += pose.at.distance_m(told.to);

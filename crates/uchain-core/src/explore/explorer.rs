@@ -195,11 +195,11 @@ impl Explorer {
         let targets: Vec<Target> = self.mates.iter().filter_map(|mate| mate.target).collect();
         let own = targets.iter().position(|target| target.robot == self.robot);
         let ruling = own.and_then(|own| rule(&targets, params).get(own).copied());
-        self.obey(ruling.unwrap_or(Ruling { level: self.level, hold: true, mfl: false }), params)
+        self.follow_ruling(ruling.unwrap_or(Ruling { level: self.level, hold: true, mfl: false }), params)
     }
 
     /// Flies by a ruling on the target it has announced.
-    pub fn obey(&mut self, ruling: Ruling, params: &ExploreParams) -> Command {
+    pub fn follow_ruling(&mut self, ruling: Ruling, params: &ExploreParams) -> Command {
         self.level = ruling.level;
         if ruling.hold {
             // At a node it thinks again next round; on the way it waits.

@@ -9,7 +9,7 @@
 //! 1. [`Explorer::perceive`]: where it is, and what it has scanned there. All robots, before any of them goes on.
 //! 2. [`Explorer::announce`]: where it will fly. In index order: a robot has heard the targets before its own.
 //! 3. [`Explorer::resolve`]: on which level, or that it holds, so that nobody meets. A holder of all targets may call
-//!    [`rule`] once for all and hand the [`Ruling`]s to [`Explorer::obey`].
+//!    [`rule`] once for all and hand the [`Ruling`]s to [`Explorer::follow_ruling`].
 //!
 //! The first two say something: whatever is in `said` goes to every robot in range, into [`Explorer::hear`] and
 //! [`Ssg::apply`]. The speaker has taken it in already; taking it in again changes nothing.

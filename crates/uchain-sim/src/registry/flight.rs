@@ -4,10 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::{
-    Watch,
-    mission::{Sink, Whole, tell},
-};
+use super::{Sink, Watch, Whole, watch::tell};
 use crate::{
     draw::DrawError,
     mission::{History, Mission, Recorded, Shown, Summary as _},

@@ -8,6 +8,8 @@ mod keys;
 mod mission;
 #[cfg(all(feature = "record", feature = "draw"))]
 mod recording;
+mod scene;
+mod watch;
 
 #[cfg(feature = "sweep")]
 use std::any::Any;
@@ -24,11 +26,13 @@ use crate::{
 pub use flight::{Flight, FlightError};
 #[cfg(feature = "sweep")]
 pub(crate) use keys::ValueKind;
-pub use mission::{AnyMission, AnyScene, Flown, Now, Of, Watch, Whole};
-#[cfg(feature = "record")]
-pub use mission::{RecordedRun, Sink};
+pub use mission::{AnyMission, Flown, Of, Whole};
 #[cfg(all(feature = "record", feature = "draw"))]
 pub use recording::{AnyRecording, Inspection};
+pub use scene::AnyScene;
+#[cfg(feature = "record")]
+pub use scene::{RecordedRun, Sink};
+pub use watch::{Now, Watch};
 
 /// The missions that a scenario or a recording may be of.
 #[derive(Debug, Clone, Copy)]

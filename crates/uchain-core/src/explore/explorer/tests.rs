@@ -33,8 +33,8 @@ impl Lone {
         self.robot.announce(&mut self.ssg, &mut || 0, &mut self.said)
     }
 
-    fn obey(&mut self, hold: bool) -> Command {
-        self.robot.obey(Ruling { level: 1, hold, mfl: false }, &self.params)
+    fn follow_ruling(&mut self, hold: bool) -> Command {
+        self.robot.follow_ruling(Ruling { level: 1, hold, mfl: false }, &self.params)
     }
 
     fn label(&self, number: u32, k: usize) -> Label {
@@ -53,7 +53,7 @@ fn it_flies_along_its_frontier_scans_there_and_comes_home() {
     let out = lone.announce();
     assert_eq!(out.purpose, Purpose::Explore);
     assert!(out.to.distance_m(point(0.0, 0.8)) < 1e-6);
-    let command = lone.obey(false);
+    let command = lone.follow_ruling(false);
     assert!(command.scan && (command.heading_rad - core::f32::consts::FRAC_PI_2).abs() < 1e-6);
     assert_eq!((command.to, command.level, command.z_m), (out.to, 1, 1.0));
 
@@ -62,11 +62,11 @@ fn it_flies_along_its_frontier_scans_there_and_comes_home() {
     assert!(lone.ssg.graph().linked(0, 1));
     let back = lone.announce();
     assert_eq!((back.purpose, back.to), (Purpose::Home, point(0.0, 0.0)));
-    assert!(!lone.obey(false).scan);
+    assert!(!lone.follow_ruling(false).scan);
 
     lone.see(back.to, true, None);
     assert_eq!(lone.announce().purpose, Purpose::Park);
-    assert_eq!(lone.obey(false).to, back.to);
+    assert_eq!(lone.follow_ruling(false).to, back.to);
     assert_eq!((lone.robot.node(), lone.robot.home()), (Some(id(0, 0)), Some(id(0, 0))));
 }
 
@@ -76,7 +76,7 @@ fn the_arc_flown_along_is_spent_though_the_new_star_does_not_reach_its_mid_point
     let mut lone = lone();
     lone.see(point(0.0, 0.0), true, Some("555!!5555555555555"));
     let out = lone.announce();
-    lone.obey(false);
+    lone.follow_ruling(false);
     lone.see(out.to, true, Some("111111111111111111"));
     assert_eq!([lone.label(0, 3), lone.label(0, 4)], [Label::Free; 2], "both middle sectors");
 }
@@ -99,21 +99,21 @@ fn a_robot_that_holds_at_a_node_thinks_again_and_one_that_holds_on_its_way_goes_
     let mut lone = lone();
     lone.see(point(0.0, 0.0), true, Some("5555!55555555!5555"));
     let first = lone.announce();
-    let stay = lone.obey(true);
+    let stay = lone.follow_ruling(true);
     assert!(stay.hold && !stay.scan && stay.to == point(0.0, 0.0));
     lone.see(point(0.0, 0.0), true, None);
     lone.robot.hear(&Message::Pose { robot: 1, at: point(0.0, 5.0) });
     let second = lone.announce();
     assert_ne!(first.to, second.to, "another robot has come near");
 
-    lone.obey(false);
+    lone.follow_ruling(false);
     lone.see(point(0.0, -0.4), false, None);
     assert_eq!(lone.announce().to, second.to);
-    assert_eq!(lone.obey(true).to, point(0.0, -0.4));
+    assert_eq!(lone.follow_ruling(true).to, point(0.0, -0.4));
     // It has arrived where it holds, which is no node.
     lone.see(point(0.0, -0.4), true, None);
     assert_eq!(lone.announce().to, second.to);
-    assert!(lone.obey(false).scan);
+    assert!(lone.follow_ruling(false).scan);
     lone.see(second.to, true, Some(CELL));
     assert_eq!(lone.robot.node(), Some(id(0, 1)));
 }
@@ -123,14 +123,14 @@ fn without_a_scan_or_a_pose_it_knows_nothing_new_and_asks_again() {
     let mut lone = lone();
     lone.see(point(0.0, 0.0), true, None);
     assert_eq!(lone.announce().purpose, Purpose::Wait);
-    assert!(lone.obey(false).scan);
+    assert!(lone.follow_ruling(false).scan);
     lone.see(point(0.0, 0.0), true, Some("5555!5555555555555"));
     let out = lone.announce();
-    lone.obey(false);
+    lone.follow_ruling(false);
     lone.see(point(f32::NAN, 0.0), true, Some(CELL));
     lone.see(out.to, true, None);
     assert_eq!((lone.ssg.len(), lone.announce().to), (1, out.to));
-    assert!(lone.obey(false).scan);
+    assert!(lone.follow_ruling(false).scan);
 }
 
 #[test]
@@ -140,7 +140,7 @@ fn when_the_store_is_full_frontiers_are_left_and_all_fly_home() {
     for number in 1..=2 {
         let out = lone.announce();
         assert_eq!(out.purpose, Purpose::Explore);
-        lone.obey(false);
+        lone.follow_ruling(false);
         lone.see(out.to, true, Some("5555!5555555555555"));
         assert_eq!(lone.robot.node(), Some(id(0, number)));
     }
@@ -150,17 +150,17 @@ fn when_the_store_is_full_frontiers_are_left_and_all_fly_home() {
     let mut late = Lone::new(ExploreParams { nodes_max: 4, ..ExploreParams::default() });
     late.see(point(0.0, 0.0), true, Some("5555!5555555555555"));
     let out = late.announce();
-    late.obey(false);
+    late.follow_ruling(false);
     for number in 0..3 {
         late.ssg.apply(&node(id(1, number), point(9.0, 0.0), None, CELL)).unwrap();
     }
     late.see(out.to, true, Some(CELL));
     let back = late.announce();
     assert_eq!((back.purpose, back.to), (Purpose::Backtrack, point(0.0, 0.0)));
-    late.obey(true);
+    late.follow_ruling(true);
     late.see(out.to, true, None);
     assert_eq!(late.announce().to, point(0.0, 0.0));
-    late.obey(false);
+    late.follow_ruling(false);
     late.see(point(0.0, 0.0), true, None);
     assert_eq!(late.announce().purpose, Purpose::Park);
 }

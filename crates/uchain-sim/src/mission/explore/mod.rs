@@ -13,13 +13,13 @@ mod metrics;
 mod picture;
 mod scene;
 mod shown;
+mod start;
 mod team;
-mod words;
 
 use std::sync::Arc;
 
 use glam::Vec2;
-use uchain_core::explore::{Command, Point, Pose, Purpose};
+use uchain_core::explore::{Command, Point, Pose};
 
 use super::{Mission, Stopped};
 
@@ -27,7 +27,7 @@ use crate::{
     clock::{total_ticks, whole_ticks},
     seed::{Seed, Source, Stream},
     sense::Scanner,
-    world::{MotionParams, PointMass, Quadrotor, Vehicle, Waypoint, World},
+    world::{Waypoint, World},
 };
 
 pub use config::{ExploreScenario, TeamConfig, VehicleKind};
@@ -45,6 +45,8 @@ pub use picture::{explore_picture, explore_png, states_png};
 pub use scene::Site;
 pub use shown::Rounds;
 pub use team::Team;
+
+use start::{at_rest, starts, world};
 
 /// What one robot may know at one instant.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,52 +89,6 @@ pub struct Exploration {
     ready: Option<u64>,
     last_tick: u64,
     frame: ExploreFrame,
-}
-
-/// Where the seed puts the robots.
-fn starts(site: &Site, seed: Seed) -> Vec<Waypoint> {
-    let (team, params) = (&site.scenario.team, &site.scenario.params);
-    let z_m = params.height_m(uchain_core::explore::ExploreParams::USUAL_LEVEL);
-    let start = |(i, &at): (u32, &Vec2)| {
-        let mut stream = seed.stream(i, Source::Start);
-        let mut aside = || team.scatter_m * (2.0 * stream.uniform() - 1.0);
-        let at = at + Vec2::new(aside(), aside());
-        Waypoint { at, z_m, heading_rad: team.heading_deg.to_radians() }
-    };
-    (0..u32::from(team.robots)).zip(&site.spawns).map(start).collect()
-}
-
-/// Robots at their starts.
-fn world(site: &Site, seed: Seed) -> World {
-    let (team, params) = (&site.scenario.team, &site.scenario.params);
-    let body = |at| -> Box<dyn Vehicle> {
-        match team.vehicle {
-            VehicleKind::PointMass => Box::new(PointMass::new(at, team.v_mps, team.climb_mps)),
-            VehicleKind::Quadrotor => {
-                Box::new(Quadrotor::new(at, &team.quadrotor, team.v_mps, team.climb_mps))
-            }
-        }
-    };
-    let motion = MotionParams { radius_m: params.r_body_m, ..MotionParams::default() };
-    World::new(site.map.clone(), motion, starts(site, seed).into_iter().map(body))
-}
-
-/// A robot that has decided nothing yet.
-fn at_rest(body: Waypoint) -> RobotFrame {
-    RobotFrame {
-        x_m: body.at.x,
-        y_m: body.at.y,
-        z_m: body.z_m,
-        heading_rad: body.heading_rad,
-        level: uchain_core::explore::ExploreParams::USUAL_LEVEL,
-        purpose: Purpose::Wait,
-        moves: false,
-        holds: false,
-        mfl: false,
-        wall_contacts: 0,
-        robot_contacts: 0,
-        level_passes: 0,
-    }
 }
 
 impl Mission for Exploration {

@@ -2,6 +2,8 @@
 
 mod notes;
 mod optimality;
+mod places;
+pub(super) mod plan;
 
 use std::sync::{Arc, OnceLock};
 
@@ -14,7 +16,7 @@ use super::{
 use crate::{
     analyse::optimum::{BottleneckTable, TableCache},
     config::{ConfigError, Document, Keys, MapConfig, Source},
-    map::{CentreLine, Geodesic, Map, Tunnel},
+    map::{Geodesic, Map, Tunnel},
     mission::Scene,
     radio::{Antenna, PathLoss},
     scene::{in_rock, lay_map, refuse, to_a_micrometre},
@@ -22,6 +24,7 @@ use crate::{
 };
 
 pub use optimality::CourseOptimum;
+use places::{Spots, waiting_places};
 
 /// Where a UAV waits, in the map's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -214,113 +217,5 @@ impl Scene for Course {
 
     fn to_toml(&self) -> Result<String, toml::ser::Error> {
         self.scenario.to_toml()
-    }
-}
-
-/// Where a UAV is to wait, in the scenario's frame, and the key that says so.
-struct Place {
-    key: String,
-    got: String,
-    at_m: [f64; 2],
-}
-
-/// One place per UAV, head first.
-fn waiting_places(scenario: &Scenario) -> Vec<Place> {
-    let chain = &scenario.chain;
-    if let Some(places) = &chain.spawns_m {
-        let place = |(i, &at_m): (usize, &[f64; 2])| Place {
-            key: format!("chain.spawns_m.{i}"),
-            got: format!("[{}, {}]", at_m[0], at_m[1]),
-            at_m,
-        };
-        return places.iter().enumerate().map(place).collect();
-    }
-    let (sin, cos) = libm::sincosf(chain.heading_deg.to_radians());
-    let [x_m, y_m] = chain.base_m;
-    let place = |index: usize| {
-        let along_m = chain.spacing_m * (chain.uavs - 1 - index) as f32;
-        let at_m = [x_m + f64::from(along_m * cos), y_m + f64::from(along_m * sin)];
-        if index + 1 == chain.uavs {
-            return Place { key: "chain.base_m".to_owned(), got: format!("[{x_m}, {y_m}]"), at_m };
-        }
-        Place { key: "chain.spacing_m".to_owned(), got: chain.spacing_m.to_string(), at_m }
-    };
-    (0..chain.uavs).map(place).collect()
-}
-
-/// Checks one place after the other.
-struct Spots<'a> {
-    map: &'a Map,
-    radius_m: f32,
-    document: &'a Document<'a>,
-}
-
-impl Spots<'_> {
-    fn invalid(&self, key: &str, got: &str, expected: String) -> ConfigError {
-        let got = self.document.written(key).unwrap_or_else(|| got.to_owned());
-        ConfigError::Invalid { at: self.document.origin(key), key: key.to_owned(), got, expected }
-    }
-
-    /// The tunnel from the base on, to the goal if there is one.
-    fn tunnel(
-        &self,
-        scenario: &Scenario,
-        line: Option<CentreLine>,
-        base: Vec2,
-    ) -> Result<Option<Tunnel>, ConfigError> {
-        let heading_rad = scenario.chain.heading_deg.to_radians();
-        let Some([x_m, y_m]) = scenario.chain.goal_m else {
-            return Ok(line.map(|line| Tunnel::new(line, base, heading_rad)));
-        };
-        let goal = self.map.to_local([x_m, y_m]);
-        let wrong =
-            |expected: &str| Err(self.invalid("chain.goal_m", &format!("[{x_m}, {y_m}]"), expected.into()));
-        if let Some(in_rock) = in_rock(self.map, goal) {
-            return wrong(&format!("the goal is {in_rock}; expected free space"));
-        }
-        let Some(line) = line else {
-            let path = self.map.centre_path(base, goal);
-            let line = path.map_err(|cause| refuse(self.document, "chain.goal_m", cause))?;
-            let (_, heading_rad) = line.at(0.0);
-            return Ok(Some(Tunnel::new(line, base, heading_rad)));
-        };
-        let tunnel = Tunnel::new(line, base, heading_rad);
-        let depth_m = tunnel.depth_m(goal);
-        if depth_m <= 0.0 {
-            return wrong("the goal lies behind the base; expected one ahead, as chain.heading_deg points");
-        }
-        Ok(Some(tunnel.until(depth_m)))
-    }
-
-    fn stands_free(
-        &self,
-        index: usize,
-        place: &Place,
-        at: Vec2,
-        others: &[Spawn],
-    ) -> Result<(), ConfigError> {
-        let [x_m, y_m] = place.at_m.map(to_a_micrometre);
-        let uav = format!("UAV {index} would wait at ({x_m}, {y_m}) m");
-        let wrong = |expected| Err(self.invalid(&place.key, &place.got, expected));
-        if let Some(in_rock) = in_rock(self.map, at) {
-            return wrong(format!("{uav}, which is {in_rock}; expected free space"));
-        }
-        let radius_m = self.radius_m;
-        let clearance_m = self.map.clearance_m(at);
-        if clearance_m < radius_m {
-            return wrong(format!(
-                "{uav}, {clearance_m:.3} m from a wall; expected at least its radius, {radius_m} m"
-            ));
-        }
-        for (other, spawn) in others.iter().enumerate() {
-            let apart_m = spawn.at.distance(at);
-            if apart_m < 2.0 * radius_m {
-                return wrong(format!(
-                    "{uav}, {apart_m:.3} m from UAV {other}; expected at least two radii, {} m",
-                    2.0 * radius_m
-                ));
-            }
-        }
-        Ok(())
     }
 }

@@ -109,7 +109,7 @@ impl Team {
             self.deliver(i);
         }
         self.news.update(self.whole.as_mut().unwrap_or(&mut self.stores[0]));
-        self.obey();
+        self.resolve_conflicts();
         self.over()
     }
 
@@ -132,7 +132,7 @@ impl Team {
     }
 
     /// Conflicts are resolved among those that hear each other; others are too far apart to meet.
-    fn obey(&mut self) {
+    fn resolve_conflicts(&mut self) {
         let mut rulings = vec![None; self.explorers.len()];
         for group in self.hearing.groups() {
             let targets: Vec<Target> = group.iter().map(|&i| self.targets[i]).collect();
@@ -142,7 +142,7 @@ impl Team {
         }
         for (explorer, ruling) in self.explorers.iter_mut().zip(rulings) {
             self.commands.push(match ruling {
-                Some(ruling) => explorer.obey(ruling, &self.params),
+                Some(ruling) => explorer.follow_ruling(ruling, &self.params),
                 None => explorer.resolve(&self.params),
             });
         }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::{ExploreSummary, Progress};
+use super::super::{ExploreSummary, Progress};
 use crate::mission::thinned;
 
 /// Most robots of which each is listed.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::{Moment, Summary};
+use super::super::{Moment, Summary};
 use crate::mission::thinned;
 
 /// Most links listed to people.

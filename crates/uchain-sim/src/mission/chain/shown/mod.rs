@@ -1,11 +1,16 @@
 //! What people see of a chain.
 
+mod history;
+mod words;
+
 use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::{Chain, Course, Metrics, Moment, Summary, ThinnedHistory, Timeline, words};
+use super::{Chain, Course, Metrics, Moment, Summary, Timeline};
 use crate::mission::{self, Shown};
+
+pub use history::ThinnedHistory;
 
 impl Shown for Chain {
     type History = ThinnedHistory;

@@ -2,7 +2,7 @@
 
 use uchain_core::bounded;
 
-use super::{Chain, Course, Frame, History};
+use super::super::{Chain, Course, Frame, History};
 use crate::{
     mission,
     record::{RecordError, Recorder},

@@ -1,12 +1,14 @@
 //! What people see of an exploration.
 
+mod words;
+
 use std::sync::Arc;
 
 use serde::Serialize;
 
 use super::{
     Exploration, ExploreFrame, ExploreHistory, ExploreMetrics, ExploreSummary, ExploreTimeline, Progress,
-    Site, words,
+    Site,
 };
 use crate::mission::{self, Shown};
 
