@@ -11,7 +11,7 @@ use crate::{
     radio::PathLossParams,
 };
 
-/// TableCache kept, each up to 5 MB.
+/// Tables kept, each up to 5 MB.
 const KEPT: usize = 16;
 
 /// All that a table depends on: walls, the way between them, and losses without noise.

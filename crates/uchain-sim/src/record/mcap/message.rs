@@ -41,6 +41,9 @@ pub fn alike(wanted: usize, of: &str, lengths: &[(&str, usize)]) -> Result<(), S
 }
 
 /// Walls lie within [`FARTHEST_M`](crate::map::FARTHEST_M), and nothing else in a run is larger.
+///
+/// # Errors
+/// In words, with the numbers.
 pub fn bounded(lists: &[(&str, &[f32])]) -> Result<(), String> {
     let most = 10.0 * crate::map::FARTHEST_M;
     for (name, list) in lists {
@@ -70,6 +73,9 @@ pub fn number<T: Copy + PartialEq>(words: &[T], word: T) -> u32 {
 }
 
 /// The word of a number.
+///
+/// # Errors
+/// In words, with the numbers.
 pub fn word<T: Copy>(name: &str, words: &[T], number: u32) -> Result<T, String> {
     let known = usize::try_from(number).ok().and_then(|number| words.get(number));
     known.copied().ok_or_else(|| format!("{name} = {number}: expected less than {}", words.len()))

@@ -75,6 +75,9 @@ impl<W: Write> Out<W> {
     }
 
     /// A channel of one of foxglove's messages.
+    ///
+    /// # Errors
+    /// [`RecordError::Io`].
     pub fn channel<M: Encode>(&mut self, topic: &str) -> Result<Channel, RecordError> {
         let schema = match M::get_schema() {
             Some(schema) => self.writer.add_schema(&schema.name, &schema.encoding, &schema.data),
@@ -84,6 +87,9 @@ impl<W: Write> Out<W> {
     }
 
     /// A channel of one of our own messages.
+    ///
+    /// # Errors
+    /// [`RecordError::Io`].
     pub fn own_channel(&mut self, topic: &str, message: &str) -> Result<Channel, RecordError> {
         let name = format!("{}.{message}", schema::PACKAGE);
         let schema = self.writer.add_schema(&name, "protobuf", &self.own_schemas).map_err(plain)?;
@@ -95,11 +101,17 @@ impl<W: Write> Out<W> {
     }
 
     /// Writes a message.
+    ///
+    /// # Errors
+    /// [`RecordError::Io`].
     pub fn send(&mut self, channel: Channel, tick: u64, message: &impl Message) -> Result<(), RecordError> {
         self.write(channel, tick, |buffer| message.encode_raw(buffer))
     }
 
     /// Writes a message that encodes itself.
+    ///
+    /// # Errors
+    /// [`RecordError::Io`].
     pub fn write(
         &mut self,
         channel: Channel,
@@ -120,6 +132,9 @@ impl<W: Write> Out<W> {
     }
 
     /// Closes the chunk and hands all there is to the writer below.
+    ///
+    /// # Errors
+    /// [`RecordError::Io`].
     pub fn flush(&mut self) -> Result<(), RecordError> {
         self.writer.flush().map_err(plain)
     }

@@ -3,13 +3,13 @@
 #[cfg(feature = "sweep")]
 mod columns;
 mod head;
-mod metrics;
 mod summary;
+mod tally;
 mod timeline;
 mod verdict;
 
 #[cfg(feature = "sweep")]
 pub(super) use columns::COLUMNS;
-pub use metrics::Metrics;
 pub use summary::{LinkSummary, Summary};
+pub use tally::Metrics;
 pub use timeline::Timeline;

@@ -57,7 +57,7 @@ pub struct Course {
     pub rays: Arc<GridRays>,
     /// Drawn by the first [`Course::optimum`], shared by all runs.
     pub(crate) table: OnceLock<Arc<BottleneckTable>>,
-    /// TableCache shared with other courses.
+    /// Tables shared with other courses.
     pub(crate) tables: Arc<TableCache>,
 }
 

@@ -257,18 +257,6 @@ fn median(values: impl Iterator<Item = f32>) -> Option<f32> {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_median_of_an_even_number_lies_between_the_middle_two() {
-        assert_eq!(median([3.0, 1.0, 2.0, 10.0].into_iter()), Some(2.5));
-        assert_eq!(median([3.0, 1.0, 2.0].into_iter()), Some(2.0));
-        assert_eq!(median(std::iter::empty()), None);
-    }
-}
-
 impl mission::Metrics for Metrics {
     type Mission = Chain;
 
@@ -278,5 +266,17 @@ impl mission::Metrics for Metrics {
 
     fn sum_up(&self, seed: u64, digest: String) -> Summary {
         self.summary(seed, digest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_of_an_even_number_lies_between_the_middle_two() {
+        assert_eq!(median([3.0, 1.0, 2.0, 10.0].into_iter()), Some(2.5));
+        assert_eq!(median([3.0, 1.0, 2.0].into_iter()), Some(2.0));
+        assert_eq!(median(std::iter::empty()), None);
     }
 }
