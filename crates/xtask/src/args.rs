@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::{
     bench::Bench,
-    steps::{ON_REQUEST, STEPS, Step},
+    steps::{STEPS, Step},
 };
 
 /// What the caller wants.
@@ -53,8 +53,7 @@ fn test(named: &[String]) -> Result<Wish, String> {
         let steps: Vec<&str> = STEPS.iter().map(|step| step.name).collect();
         return Err(format!("unknown step `{unknown}`{}", meant(unknown, &steps)));
     }
-    let all = |s: &Step| named.is_empty() && !ON_REQUEST.contains(&s.name);
-    let wanted = |s: &&Step| all(s) || named.iter().any(|name| s.name == *name);
+    let wanted = |s: &&Step| named.is_empty() || named.iter().any(|name| s.name == *name);
     Ok(Wish::Test(STEPS.iter().filter(wanted).collect()))
 }
 
@@ -104,7 +103,7 @@ mod tests {
     #[test]
     fn named_steps_run_in_the_gates_order_and_no_name_means_all() {
         assert_eq!(names(&["test", "no-std", "clippy"]), Ok(vec!["clippy", "no-std"]));
-        assert_eq!(names(&["test"]).unwrap().len(), STEPS.len() - ON_REQUEST.len());
+        assert_eq!(names(&["test"]).unwrap().len(), STEPS.len());
     }
 
     #[test]

@@ -43,7 +43,7 @@ impl Graph {
     pub(super) fn of_nested(nested: &Nested, tree: &Tree, edges: &[Edge]) -> Option<Self> {
         tree.modules[0].inner.get(nested.room)?;
         let room = |module: usize| match tree.modules[module].path.as_slice() {
-            [outer, inner, ..] if outer == nested.room && inner != nested.registry => Some(inner.clone()),
+            [outer, inner, ..] if outer == nested.room => Some(inner.clone()),
             _ => None,
         };
         let mut graph = Self::new(format!("{}, {}", nested.package, nested.room), tree, edges, room);
@@ -53,7 +53,6 @@ impl Graph {
         });
         let names = folders.filter(|module| module.path.len() >= 2 && module.path[0] == nested.room);
         graph.strangers = names.map(|module| module.path[1].clone()).collect();
-        graph.strangers.remove(nested.registry);
         Some(graph)
     }
 

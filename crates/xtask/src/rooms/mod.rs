@@ -27,13 +27,11 @@ use tree::Tree;
 struct Nested {
     package: &'static str,
     room: &'static str,
-    /// The module in it that knows all the others; it is no room.
-    registry: &'static str,
 }
 
 /// Where the modules of one room are rooms among themselves. Those that are folders must not import each other at all:
 /// what two missions share belongs to a file beside them.
-const NESTED: &[Nested] = &[Nested { package: "uchain-sim", room: "mission", registry: "registry" }];
+const NESTED: &[Nested] = &[Nested { package: "uchain-sim", room: "mission" }];
 
 /// Reads one file.
 type Read<'a> = &'a dyn Fn(&Path) -> io::Result<String>;

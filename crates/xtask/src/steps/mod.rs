@@ -36,12 +36,6 @@ const NO_STD: Proof = Proof("no_std");
 /// Links the simulation without its heavy rooms.
 const LIBM_ONLY: Proof = Proof("libm_only");
 
-/// Steps that run only if they are named.
-pub(crate) const ON_REQUEST: &[&str] = &[
-    // TURN ON: without this line `rooms` runs with all the others.
-    "rooms",
-];
-
 /// All steps, in order.
 pub(crate) const STEPS: &[Step] = &[
     Step { name: "fmt", about: "rustfmt changes nothing", run: cargo::fmt },
