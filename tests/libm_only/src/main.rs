@@ -5,7 +5,7 @@ use std::{env, error::Error, process::ExitCode};
 
 // Brings the program its own exp, sin and log, for what rapier and parry ask of the system.
 use uchain_libm as _;
-use uchain_sim::{mission::Mission, config::Source, mathematics, run::run};
+use uchain_sim::{config::Source, mathematics, registry::Registry};
 
 fn main() -> ExitCode {
     let args: Vec<String> = env::args().skip(1).collect();
@@ -28,9 +28,6 @@ fn digest(args: &[String]) -> Result<String, Box<dyn Error>> {
     let [scenario, seed, sets @ ..] = args else {
         return Err("usage: digest SCENARIO SEED [KEY=VALUE]...".into());
     };
-    let seed = seed.parse()?;
-    Ok(match Mission::read(&Source::find(scenario)?, sets)? {
-        Mission::Chain(course) => run(&course, seed, &mut ())?.digest,
-        Mission::Explore(site) => explore(&site, seed, &mut ())?.0.digest,
-    })
+    let scene = Registry::default().read(&Source::find(scenario)?, sets)?;
+    Ok(scene.fly(seed.parse()?, &mut ())?.digest().to_owned())
 }

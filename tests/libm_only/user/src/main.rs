@@ -3,7 +3,7 @@
 
 use std::{error::Error, process::ExitCode};
 
-use uchain_sim::{mission::chain::Course, config::builtin, mathematics, run::run};
+use uchain_sim::{config::builtin, mathematics, mission::chain::Course, run::run};
 
 fn main() -> ExitCode {
     match digest() {
