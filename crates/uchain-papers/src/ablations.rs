@@ -1,15 +1,17 @@
 //! Ablation study: what every part is worth, one parameter varied at a time.
 
+use std::sync::Arc;
+
 use uchain_sim::{
     analyse::{Estimate, is_less_in_pairs},
     draw::figure::{Axes, Figure, Mark},
-    mission::chain::Summary,
+    mission::chain::{Course, Summary},
     run::run,
 };
 
 use super::{
     Item, Outcome, PaperError, RunCache, Table,
-    experiment::{Experiment, chains, scenario},
+    experiment::{Experiment, each_run, scenario},
     outcome::{cell, mean_with_interval, p_value},
 };
 
@@ -130,7 +132,7 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
         }
         let experiment =
             Experiment { source: scenario("corner"), sets: &[], vary: &vary, replicates: REPLICATES };
-        let flown = chains(experiment, |course, one| run(course, one.seed, &mut ()))?;
+        let flown = each_run(experiment, |course: &Arc<Course>, one| run(course, one.seed, &mut ()))?;
         let at =
             |value: usize, line: usize| flown.get(value * lines.len() + line).map_or(&[][..], Vec::as_slice);
         let keys = || std::iter::once(ablation.key).chain(ablation.lines.map(|(key, _)| key));

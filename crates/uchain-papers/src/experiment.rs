@@ -7,11 +7,10 @@ use uchain_sim::{
     config::{Source, builtin},
     draw::{DrawError, Picture},
     mission::{
+        Scene,
         chain::{Course, History, Summary, run_picture},
-        explore::Site,
     },
     record::RecordError,
-    registry::AnyScene,
     sweep::{Design, DesignText, Run, Sweep},
 };
 
@@ -57,16 +56,19 @@ impl RecordedRun {
     }
 }
 
-/// Does something with every run; results by variant, then by replicate. The first run that fails fails all.
-fn each<T: Send>(
+/// Does something with every run of a mission of one kind, on all processors; results by variant, then by replicate. The
+/// first run that fails fails all.
+pub(crate) fn each_run<S: Scene, T: Send>(
     experiment: Experiment<'_>,
-    work: impl Fn(&dyn AnyScene, Run) -> Option<Result<T, RecordError>> + Sync,
+    work: impl Fn(&Arc<S>, Run) -> Result<T, RecordError> + Sync,
 ) -> Result<Vec<Vec<T>>, PaperError> {
     let design = Design::parse(&DesignText { vary: experiment.vary.to_vec(), table: None }, "")?;
     let sets = experiment.sets.iter().map(|set| (*set).to_owned()).collect();
     let sweep = Sweep::new(experiment.source, sets, design, experiment.replicates, SEED)?;
     let mut variants: Vec<Vec<T>> = Vec::new();
-    for (index, result) in sweep.each(work).into_iter().enumerate() {
+    for (index, result) in
+        sweep.each(|scene, run| scene.get().map(|scene| work(scene, run))).into_iter().enumerate()
+    {
         let run = sweep.run(index as u64);
         let failed = |reason: String| PaperError::Run {
             scenario: sweep.about().name.clone(),
@@ -84,20 +86,4 @@ fn each<T: Send>(
         }
     }
     Ok(variants)
-}
-
-/// [`each`] run of a chain.
-pub(crate) fn chains<T: Send>(
-    experiment: Experiment<'_>,
-    work: impl Fn(&Arc<Course>, Run) -> Result<T, RecordError> + Sync,
-) -> Result<Vec<Vec<T>>, PaperError> {
-    each(experiment, |scene, run| scene.get::<Course>().map(|course| work(course, run)))
-}
-
-/// [`each`] run of an exploration.
-pub(crate) fn explorations<T: Send>(
-    experiment: Experiment<'_>,
-    work: impl Fn(&Arc<Site>, Run) -> Result<T, RecordError> + Sync,
-) -> Result<Vec<Vec<T>>, PaperError> {
-    each(experiment, |scene, run| scene.get::<Site>().map(|site| work(site, run)))
 }

@@ -1,15 +1,17 @@
 //! Comparison of three exploration strategies (Kim 2021, §7.2): 2 to 5 robots, 20 runs each, common random numbers.
 
+use std::sync::Arc;
+
 use uchain_sim::{
     analyse::{Estimate, saved_percent},
     draw::figure::{Axes, Figure, Mark},
-    mission::explore::ExploreSummary,
+    mission::explore::{ExploreSummary, Site},
     run::run,
 };
 
 use crate::{
     Outcome, PaperError, Row, Table,
-    experiment::{Experiment, explorations, scenario},
+    experiment::{Experiment, each_run, scenario},
     outcome::mean_with_interval,
 };
 
@@ -60,7 +62,7 @@ impl Comparison {
             format!("explore.robots={}", ROBOTS.map(|robots| robots.to_string()).join(",")),
         ];
         let experiment = Experiment { source: scenario(map), sets: &[], vary: &vary, replicates: REPLICATES };
-        let runs = explorations(experiment, |site, one| run(site, one.seed, &mut ()))?;
+        let runs = each_run(experiment, |site: &Arc<Site>, one| run(site, one.seed, &mut ()))?;
         Ok(Self { map, runs })
     }
 

@@ -15,7 +15,7 @@ use uchain_sim::{
 
 use crate::{
     Item, Outcome, PaperError, Row, RunCache, SEED, Table,
-    experiment::{Experiment, explorations, scenario},
+    experiment::{Experiment, each_run, scenario},
     outcome::mean_with_interval,
 };
 
@@ -58,8 +58,10 @@ fn after(site: &Arc<Site>, seed: u64, rounds: u32) -> Result<Picture, PaperError
 fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     let source = scenario("apartment");
     let experiment = Experiment { source: source.clone(), sets: &[], vary: &[], replicates: REPLICATES };
-    let flown: Vec<_> =
-        explorations(experiment, |site, one| run(site, one.seed, &mut ()))?.into_iter().flatten().collect();
+    let flown: Vec<_> = each_run(experiment, |site: &Arc<Site>, one| run(site, one.seed, &mut ()))?
+        .into_iter()
+        .flatten()
+        .collect();
     let rounds: Vec<f64> = flown.iter().map(|run| run.iterations.into()).collect();
     let home = flown.iter().filter(|run| run.verdict.outcome().is_success()).count();
     let (low, high) = rounds.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), r| (l.min(*r), h.max(*r)));

@@ -9,7 +9,7 @@ use uchain_sim::{mission::chain::Course, record::RecordError, sweep::Run};
 use super::trace::{Sample, Trace, record_trace, spread};
 use crate::{
     PaperError,
-    experiment::{Experiment, RecordedRun, chains, scenario},
+    experiment::{Experiment, RecordedRun, each_run, scenario},
 };
 
 /// The three treatments: their names, and whose signal relays level within which tolerance.
@@ -113,7 +113,7 @@ fn treated(raw: bool, sets: &[&str]) -> Result<RunsByTreatment, PaperError> {
 fn variant(sets: &[&str]) -> Result<Vec<Flight>, PaperError> {
     let experiment =
         Experiment { source: scenario("circuit-frontiers2021"), sets, vary: &[], replicates: REPLICATES };
-    Ok(chains(experiment, fly)?.into_iter().flatten().collect())
+    Ok(each_run(experiment, fly)?.into_iter().flatten().collect())
 }
 
 fn fly(course: &Arc<Course>, one: Run) -> Result<Flight, RecordError> {

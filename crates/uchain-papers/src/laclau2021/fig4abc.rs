@@ -14,7 +14,7 @@ use uchain_sim::{
 use super::trace::{Sample, Trace, loss_curves, record_trace, spread};
 use crate::{
     Item, Outcome, PaperError, Row, RunCache, Table,
-    experiment::{Experiment, RecordedRun, chains, inline_scenario},
+    experiment::{Experiment, RecordedRun, each_run, inline_scenario},
     outcome::{cell, mean_with_interval},
 };
 
@@ -146,7 +146,7 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     for (panel, (name, centre_line)) in ["A", "B", "C"].iter().zip(CORRIDORS) {
         let source = inline_scenario(name, corridor_scenario(name, centre_line));
         let experiment = Experiment { source, sets: &[], vary: &[], replicates: STARTS };
-        let all: Vec<ConvergenceRun> = chains(experiment, |course, run| fly(course, run, Heading::Across))?
+        let all: Vec<ConvergenceRun> = each_run(experiment, |course, run| fly(course, run, Heading::Across))?
             .into_iter()
             .flatten()
             .collect();
@@ -220,7 +220,7 @@ fn corner(all: &[ConvergenceRun], centre_line: &str) -> Result<[Row; 2], PaperEr
     let converged = beyond.iter().filter(|run| run.converged_s.is_some()).count();
     let source = inline_scenario("corner", corridor_scenario("corner", centre_line));
     let experiment = Experiment { source, sets: &[], vary: &[], replicates: REPLICATES as u64 };
-    let along = chains(experiment, |course, run| fly(course, run, Heading::Along))?;
+    let along = each_run(experiment, |course, run| fly(course, run, Heading::Along))?;
     let straight = along.iter().flatten().filter(|run| run.converged_s.is_some()).count();
     Ok([
         Row::fact(

@@ -13,7 +13,7 @@ use uchain_sim::{
 use super::trace::{Sample, Trace, loss_curves, record_trace, spread};
 use crate::{
     Item, Outcome, PaperError, Row, RunCache, Table,
-    experiment::{Experiment, RecordedRun, chains, scenario},
+    experiment::{Experiment, RecordedRun, each_run, scenario},
     outcome::{cell, mean_with_interval},
 };
 
@@ -112,7 +112,7 @@ fn fly(course: &Arc<Course>, one: Run) -> Result<Flown, RecordError> {
 fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     let experiment =
         Experiment { source: scenario("circuit-cavemod"), sets: &SETS, vary: &[], replicates: REPLICATES };
-    let runs: Vec<Flown> = chains(experiment, fly)?.into_iter().flatten().collect();
+    let runs: Vec<Flown> = each_run(experiment, fly)?.into_iter().flatten().collect();
     let mut table = Table::new(
         "fig6",
         &["replicate", "launches", "relays_needed", "spread_db", "worst_db", "gap_0_m", "gap_1_m", "gap_2_m"],
