@@ -1,5 +1,6 @@
 //! What people see of a mission: words, tables and pictures.
 
+#[cfg(feature = "draw")]
 use std::sync::Arc;
 
 use serde::Serialize;

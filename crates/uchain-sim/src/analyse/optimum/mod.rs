@@ -1,8 +1,8 @@
-//! The exact optimum of a chain (Laclau 2021, Eq. 1, 2, 9–11): the optimum of every run.
+//! The exact optimum of a chain (Laclau 2021, Eq. 1, 2, 9–11): what every run is measured by.
 //!
 //! Given how loss depends on two depths along the tunnel, where must the relays stand so that the worst link is as
-//! good as can be? [`BottleneckTable`] searches the whole tunnel on samples, [`optimum`] makes one answer exact, [`CourseOptimum`]
-//! binds both to a [`Course`](crate::mission::chain::Course).
+//! good as can be? [`BottleneckTable`] searches the whole tunnel on samples, [`optimum`] makes one answer exact.
+//! [`CourseOptimum`](crate::mission::chain::CourseOptimum) binds both to a course.
 
 mod cache;
 mod level;

@@ -174,7 +174,7 @@ uchain_core::params! {
 impl Scenario {
     /// Reads a scenario, writes `sets` (`key=value`, the value in TOML or a bare word) over it and checks
     /// every value on its own. Whether the tunnel can be built and flown is up to
-    /// [`Course::lay`](super::Course::lay).
+    /// [`Course::lay_out`](super::Course::lay_out).
     ///
     /// ```
     /// use uchain_sim::{mission::chain::Scenario, config::builtin};

@@ -3,11 +3,12 @@
 mod history;
 mod words;
 
+#[cfg(feature = "draw")]
 use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::{Chain, Course, Metrics, Moment, Summary, Timeline};
+use super::{Chain, Course, Moment, Summary, Timeline};
 use crate::mission::{self, Shown};
 
 pub use history::ThinnedHistory;
@@ -30,7 +31,7 @@ impl Shown for Chain {
     fn picture(
         course: &Arc<Course>,
         history: &mut ThinnedHistory,
-        _: &Metrics,
+        _: &super::Metrics,
         summary: &Summary,
     ) -> Result<Vec<u8>, crate::draw::DrawError> {
         super::run_png(course, history.to_the_end(), summary)

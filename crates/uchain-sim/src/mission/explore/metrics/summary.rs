@@ -11,7 +11,7 @@ use crate::{
 
 /// What one exploration came to. A function of (scenario, seed): nothing here is measured by a clock.
 ///
-/// *Coverage* is the share of the reachable ground ([`Ground`](super::Ground)) within `r_s_m` and in line of sight of
+/// *Coverage* is the share of the reachable ground ([`Ground`](crate::mission::explore::Ground)) within `r_s_m` and in line of sight of
 /// a node. Its times are those at which a share of that ground had been seen.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ExploreSummary {
@@ -66,7 +66,7 @@ pub struct ExploreSummary {
     /// Area of the reachable ground that nobody saw (m²).
     pub unseen_m2: f64,
     /// Of that, what lies in or behind passages narrower than stars surely look through (m²); see
-    /// [`Width`](super::Width).
+    /// [`Width`](crate::mission::explore::Width).
     pub unseen_behind_m2: f64,
     /// Its pieces, the largest first; at most [`ExploreSummary::UNSEEN_MAX`].
     pub unseen: Vec<Unseen>,

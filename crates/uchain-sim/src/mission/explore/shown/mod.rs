@@ -2,14 +2,12 @@
 
 mod words;
 
+#[cfg(feature = "draw")]
 use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::{
-    Exploration, ExploreFrame, ExploreHistory, ExploreMetrics, ExploreSummary, ExploreTimeline, Progress,
-    Site,
-};
+use super::{Exploration, ExploreFrame, ExploreHistory, ExploreSummary, ExploreTimeline, Progress, Site};
 use crate::mission::{self, Shown};
 
 impl Shown for Exploration {
@@ -33,7 +31,7 @@ impl Shown for Exploration {
     fn picture(
         site: &Arc<Site>,
         history: &mut ExploreHistory,
-        metrics: &ExploreMetrics,
+        metrics: &super::ExploreMetrics,
         summary: &ExploreSummary,
     ) -> Result<Vec<u8>, crate::draw::DrawError> {
         super::explore_png(site, history, &metrics.survey(), summary)
