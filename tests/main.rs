@@ -12,14 +12,22 @@ mod explore;
 mod exploring;
 /// Values at the ends of their ranges are flown like any other.
 mod extremes;
+/// A tick in halves is the tick as a whole.
+mod halves;
 /// What is said of files that are wrong.
 mod messages;
 /// The papers' figures and tables are what the report says.
 mod paper;
 /// What is recorded can be read again, and what is damaged cannot.
 mod record;
+/// A mission that is flown again in the memory it has flies as a new one.
+mod reset;
+/// A third mission, of which the library knows nothing.
+mod ring;
 /// Many runs draw from streams of their own.
 mod sweep;
+/// One folder and one line in the registry are a mission.
+mod third_mission;
 
 use std::sync::Arc;
 

@@ -9,7 +9,10 @@ use crate::{
 
 /// The map a scenario asks for, and its middle if it is a corridor, which is built around a place (m). Files are read from
 /// the folder of the document.
-pub(crate) fn lay_map(
+///
+/// # Errors
+/// [`ConfigError::Map`]: no such file, or no map.
+pub fn lay_map(
     config: &MapConfig,
     around_m: [f64; 2],
     document: &Document<'_>,
@@ -66,7 +69,7 @@ pub(crate) fn refuse(document: &Document<'_>, key: &str, cause: MapError) -> Con
 }
 
 /// What a place is that lies beyond all free ground: how far that reaches, in the scenario's own frame.
-pub(crate) fn outside(map: &Map, at: Vec2) -> Option<String> {
+pub fn outside(map: &Map, at: Vec2) -> Option<String> {
     let (low, high) = map.bounds();
     if at.cmpge(low).all() && at.cmple(high).all() {
         return None;
@@ -78,7 +81,7 @@ pub(crate) fn outside(map: &Map, at: Vec2) -> Option<String> {
 }
 
 /// What a place in rock is; `None` for free ground.
-pub(crate) fn in_rock(map: &Map, at: Vec2) -> Option<String> {
+pub fn in_rock(map: &Map, at: Vec2) -> Option<String> {
     let words =
         || outside(map, at).map_or_else(|| "in rock".to_owned(), |outside| format!("in rock, {outside}"));
     map.in_rock(at).then(words)

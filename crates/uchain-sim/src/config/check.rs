@@ -2,7 +2,7 @@
 
 use uchain_core::params::OutOfRange;
 
-use super::{ConfigError, MapConfig, document::Document, keys::join};
+use super::{ConfigError, Heading, MapConfig, document::Document, keys::join};
 use crate::clock;
 
 /// Length of a tick (s). Every period is a multiple of it.
@@ -21,12 +21,23 @@ pub(crate) const FRAME_MAX_M: f64 = 1e9;
 pub(crate) const COORDINATE_MAX_M: f64 = 100_000.0;
 
 /// Checks the values of a scenario, and says of a wrong one where it was written.
-pub(crate) struct Check<'d> {
-    pub(crate) document: &'d Document<'d>,
+///
+/// ```
+/// use uchain_sim::config::{Check, Document, KnownKeys, builtin};
+/// let (source, known) = (builtin("corner").unwrap(), KnownKeys::of(&[]));
+/// let sets = ["duration_s=0.07".to_owned()];
+/// let document = Document::parse(&source, &sets, &known).unwrap();
+/// let error = Check { document: &document }.ticks("duration_s", 0.07).unwrap_err();
+/// assert!(error.to_string().ends_with("must be a multiple of the tick, 0.05 s"), "{error}");
+/// ```
+pub struct Check<'d> {
+    /// What holds the values.
+    pub document: &'d Document<'d>,
 }
 
 impl Check<'_> {
-    pub(crate) fn invalid(&self, key: &str, got: &dyn ToString, expected: impl Into<String>) -> ConfigError {
+    /// An error about a key, at its place; `got` is said if it was not written.
+    pub fn invalid(&self, key: &str, got: &dyn ToString, expected: impl Into<String>) -> ConfigError {
         ConfigError::Invalid {
             at: self.document.origin(key),
             key: key.to_owned(),
@@ -35,29 +46,55 @@ impl Check<'_> {
         }
     }
 
-    pub(crate) fn range(&self, key: &str, got: f64, low: f64, high: f64) -> Result<(), ConfigError> {
+    /// A number by its legal range, both ends included.
+    ///
+    /// # Errors
+    /// [`ConfigError::Invalid`].
+    pub fn range(&self, key: &str, got: f64, low: f64, high: f64) -> Result<(), ConfigError> {
         if (low..=high).contains(&got) {
             return Ok(());
         }
         Err(self.invalid(key, &got, format!("must lie in {low}..={high}")))
     }
 
-    /// The outcome of a table's own check, under the table's name.
-    pub(crate) fn ranged(&self, table: &str, checked: Result<(), OutOfRange>) -> Result<(), ConfigError> {
+    /// What every scenario says first: name, duration and map.
+    ///
+    /// # Errors
+    /// The first [`ConfigError::Invalid`].
+    pub fn heading(&self, heading: &Heading) -> Result<(), ConfigError> {
+        self.name(&heading.name)?;
+        self.ranged("", heading.check())?;
+        self.ticks("duration_s", heading.duration_s)?;
+        self.map(&heading.map)
+    }
+
+    /// The outcome of a table's own check, under the table's name; the empty name is the top of the file.
+    ///
+    /// # Errors
+    /// [`ConfigError::Invalid`].
+    pub fn ranged(&self, table: &str, checked: Result<(), OutOfRange>) -> Result<(), ConfigError> {
         checked.map_err(|OutOfRange { key, got, low, high }| {
             let key = join(table, key);
             self.invalid(&key, &got, format!("must lie in {low}..={high}"))
         })
     }
 
-    pub(crate) fn ticks(&self, key: &str, got_s: f64) -> Result<(), ConfigError> {
+    /// A time that has to be a multiple of the tick (s).
+    ///
+    /// # Errors
+    /// [`ConfigError::Invalid`].
+    pub fn ticks(&self, key: &str, got_s: f64) -> Result<(), ConfigError> {
         if clock::is_period(got_s) {
             return Ok(());
         }
         Err(self.invalid(key, &got_s, format!("must be a multiple of the tick, {TICK_S} s")))
     }
 
-    pub(crate) fn name(&self, name: &str) -> Result<(), ConfigError> {
+    /// The scenario's name: it names the output folder.
+    ///
+    /// # Errors
+    /// [`ConfigError::Invalid`].
+    pub fn name(&self, name: &str) -> Result<(), ConfigError> {
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if (1..=NAME_LENGTH_MAX).contains(&name.len()) && name.chars().all(plain) {
             return Ok(());
@@ -68,7 +105,11 @@ impl Check<'_> {
         Err(self.invalid("name", &format!("{name:?}"), expected))
     }
 
-    pub(crate) fn map(&self, map: &MapConfig) -> Result<(), ConfigError> {
+    /// Every number of `[map]`; nothing is read or laid out.
+    ///
+    /// # Errors
+    /// The first [`ConfigError::Invalid`].
+    pub fn map(&self, map: &MapConfig) -> Result<(), ConfigError> {
         match map {
             MapConfig::Corridor(corridor) => {
                 self.ranged("map.corridor", corridor.check())?;
@@ -101,7 +142,11 @@ impl Check<'_> {
         }
     }
 
-    pub(crate) fn point(&self, key: &str, at: [f64; 2]) -> Result<(), ConfigError> {
+    /// A place in the map's own frame (m).
+    ///
+    /// # Errors
+    /// [`ConfigError::Invalid`].
+    pub fn point(&self, key: &str, at: [f64; 2]) -> Result<(), ConfigError> {
         // An array takes as many as it holds and asks no further.
         if let Some(count) = self.document.count(key).filter(|&count| count != at.len()) {
             return Err(self.invalid(key, &format!("{count} numbers"), "expected two numbers [x, y]"));

@@ -13,7 +13,8 @@ mod source;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use check::{Check, DURATION_MAX_S, TICK_S};
+pub use check::Check;
+pub(crate) use check::{DURATION_MAX_S, TICK_S};
 #[cfg(feature = "sweep")]
 pub(crate) use diagnose::shorten;
 pub use diagnose::{Choices, ConfigError, Origin};

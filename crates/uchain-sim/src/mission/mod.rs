@@ -2,6 +2,12 @@
 //!
 //! [`Mission`] ties one tick: sense, decide, act, advance, record. [`run`](crate::run::run), replay, sweeps, recordings
 //! and the command line know this trait and no mission; [`chain`] and [`explore`] implement it.
+//!
+//! A mission of one's own is written in the same way, outside of this crate: a folder that implements [`Mission`],
+//! [`Scene`], [`Metrics`], [`Summary`], [`Shown`] and `Recorded`, and a line in a
+//! [`Registry`](crate::registry::Registry). The project's `tests/ring` is one. Its keys are declared with
+//! [`uchain_core::params!`], in a crate that has the feature `schema` and schemars; its messages derive prost's; what it
+//! finds at the end is an [`Outcome::Own`](crate::analyse::Outcome::Own).
 
 pub mod chain;
 pub mod explore;

@@ -4,11 +4,11 @@ mod words;
 
 use serde::{Serialize, Serializer, ser::SerializeStruct as _};
 
-/// What a mission came to, chain or exploration: a finding with its numbers. The graver ones stand first, and a cause
+/// What a mission came to: a finding with its numbers. The graver ones stand first, and a cause
 /// before what follows from it.
 ///
-/// [`Outcome::Completed`] and [`Outcome::Explored`] are the two that are as they should be; every other one is a
-/// failure. [`Outcome::word`] is stable: the file `summary.json`, the table of a sweep and scripts know it.
+/// [`Outcome::Completed`] and [`Outcome::Explored`] are the two that are as they should be, and [`Outcome::Own`] if it
+/// says so; every other one is a failure. [`Outcome::word`] is stable: the file `summary.json`, the table of a sweep and scripts know it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
     /// The flight is known up to somewhere in the middle only.
@@ -143,6 +143,15 @@ pub enum Outcome {
         /// Share of the reachable ground that was seen (1).
         seen: f64,
     },
+    /// Any other mission: a finding in its own words.
+    Own {
+        /// The word that stands for it in files and tables; it does not change.
+        word: &'static str,
+        /// Words with numbers, for people.
+        words: String,
+        /// Whether the mission did what was asked of it.
+        is_success: bool,
+    },
 }
 
 /// Why a link was broken.
@@ -218,12 +227,13 @@ impl Outcome {
             Self::TimeUp { .. } => "time-up",
             Self::Completed { .. } => "completed",
             Self::Explored { .. } => "explored",
+            Self::Own { word, .. } => word,
         }
     }
 
     /// Whether the mission did what was asked of it.
     pub fn is_success(&self) -> bool {
-        matches!(self, Self::Completed { .. } | Self::Explored { .. })
+        matches!(self, Self::Completed { .. } | Self::Explored { .. } | Self::Own { is_success: true, .. })
     }
 
     /// Its place among the findings, the gravest first.
@@ -244,7 +254,8 @@ impl Outcome {
             Self::TimeUp { .. } => 12,
             Self::Unreachable { .. } => 13,
             Self::Unseen { .. } => 14,
-            Self::Completed { .. } | Self::Explored { .. } => 15,
+            Self::Own { is_success: false, .. } => 15,
+            Self::Completed { .. } | Self::Explored { .. } | Self::Own { .. } => 16,
         }
     }
 }

@@ -3,7 +3,7 @@ use super::*;
 const WAY: Way = Way { asked_m: 10.0, flown_m: 9.0, is_end: false };
 const OVER: Over = Over { over: 8, links: 8, worst_db: 65.94, s_min_db: 60.0 };
 
-const SAID: [&str; 17] = [
+const SAID: [&str; 18] = [
     "interrupted: ended early, after 3.00 s of 120 s",
     "never-flew: the head never took off",
     "head-failed: the head failed at 80.00 s",
@@ -19,9 +19,14 @@ const SAID: [&str; 17] = [
     "time-up: 52.0 % seen when the time was up, after 600 s (duration_s)",
     "unreachable: 52.0 % seen, all home, and 1 node with a frontier left that nobody finds a way to",
     "unseen: 52.0 % seen, 46.0 % behind passages narrower than 0.90 m, 2.0 % unseen elsewhere, the largest piece 7.6 m2 around (3.50, 2.00) m: --set explore.sectors=36 looks through 0.90 m",
+    "astray: nobody came round the ring",
     "completed: 9.0 of 10.0 m flown; 3 links within 60 dB, the worst 57.8 dB",
     "explored: 52.0 % seen, no frontier left, all home",
 ];
+
+fn own(is_success: bool) -> Outcome {
+    Outcome::Own { word: "astray", words: "nobody came round the ring".to_owned(), is_success }
+}
 
 fn all() -> Vec<Outcome> {
     let seen = 0.52;
@@ -49,6 +54,7 @@ fn all() -> Vec<Outcome> {
             piece_m2: 7.6,
             remedy: Some(Remedy { sets: "--set explore.sectors=36".to_owned(), width_m: Some(0.898) }),
         },
+        own(false),
         Outcome::Completed { way: Some(WAY), links: 3, worst_db: Some(57.83), s_min_db: 60.0 },
         Outcome::Explored { seen },
     ]
@@ -68,6 +74,7 @@ fn every_outcome_has_a_word_of_its_own_and_words_with_its_numbers() {
 fn only_what_came_as_asked_is_a_success() {
     let good: Vec<&str> = all().iter().filter(|outcome| outcome.is_success()).map(Outcome::word).collect();
     assert_eq!(good, ["completed", "explored"]);
+    assert!(own(true).is_success(), "a mission's own finding is what it says it is");
 }
 
 #[test]

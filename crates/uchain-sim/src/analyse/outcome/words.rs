@@ -20,6 +20,7 @@ impl Display for Outcome {
                 write!(f, "ended early, after {at_s:.2} s of {of_s} s")
             }
             Self::Interrupted { at_s, of_s: None } => write!(f, "ended early, after {at_s:.2} s"),
+            Self::Own { words, .. } => f.write_str(words),
             Self::NeverFlew => f.write_str("the head never took off"),
             Self::HeadFailed { at_s } => write!(f, "the head failed at {at_s:.2} s"),
             Self::ChainBroken { broken, links, uav, cause } => {

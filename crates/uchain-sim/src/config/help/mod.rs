@@ -8,7 +8,8 @@ mod tests;
 mod units;
 mod values;
 
-pub(crate) use schema::{schema, schema_of, schema_with_table};
+pub(crate) use schema::schema;
+pub use schema::{schema_of, schema_with_table};
 pub use units::Unit;
 pub use values::Written;
 

@@ -76,13 +76,13 @@ fn required(schema: &Value) -> Vec<&str> {
 
 /// JSON Schema of what is read into a type, written out in full: editors show what stands at a key, not what it refers
 /// to.
-pub(crate) fn schema_of<T: JsonSchema>() -> Value {
+pub fn schema_of<T: JsonSchema>() -> Value {
     let settings = SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true);
     settings.into_generator().into_root_schema_for::<T>().to_value()
 }
 
 /// JSON Schema of a scenario of which everything but the [`Heading`] stands in one table; `parts` are that table's keys.
-pub(crate) fn schema_with_table<const N: usize>(table: &Key, parts: [Value; N]) -> Value {
+pub fn schema_with_table<const N: usize>(table: &Key, parts: [Value; N]) -> Value {
     let mut schema = schema_of::<Heading>();
     let needed: Vec<Value> = parts.iter().flat_map(required).map(Value::from).collect();
     let keys =

@@ -1,0 +1,48 @@
+//! What a recording of a ring shows beside its frames.
+
+use std::io::Write;
+
+use foxglove::messages::{PosesInFrame, SceneUpdate};
+use glam::Vec2;
+use uchain_sim::{
+    mission::Recorded,
+    record::{
+        RecordError,
+        mcap::{
+            Channel, Out, SHOWN_TICKS, Topics,
+            scene::{self, MAP, pose, time},
+        },
+    },
+};
+
+use super::{Ring, RingFrame, RingScene};
+
+/// `/map` once, `/poses` ten times per simulated second.
+#[derive(Debug)]
+pub(crate) struct RingTopics {
+    poses: Channel,
+}
+
+impl Recorded for Ring {
+    type Topics = RingTopics;
+}
+
+impl Topics for RingTopics {
+    type Scene = RingScene;
+    type Frame = RingFrame;
+
+    fn start<W: Write>(scene: &RingScene, out: &mut Out<W>) -> Result<Self, RecordError> {
+        let map = out.channel::<SceneUpdate>("/map")?;
+        out.send(map, 0, &scene::map(&scene.map, None))?;
+        Ok(Self { poses: out.channel::<PosesInFrame>("/poses")? })
+    }
+
+    fn show<W: Write>(&mut self, frame: &RingFrame, out: &mut Out<W>) -> Result<(), RecordError> {
+        if !frame.tick.is_multiple_of(SHOWN_TICKS) {
+            return Ok(());
+        }
+        let poses = frame.robots.iter().map(|robot| pose(Vec2::new(robot.x_m, robot.y_m))).collect();
+        let shown = PosesInFrame { timestamp: Some(time(frame.tick)), frame_id: MAP.to_owned(), poses };
+        out.send(self.poses, frame.tick, &shown)
+    }
+}
