@@ -26,7 +26,7 @@ use crate::{
     record::{RecordError, Recorder, Snapshot},
 };
 
-pub use shown::{History, Shown, ShownScene, Timeline, thinned};
+pub use shown::{History, Shown, Timeline, thinned};
 
 #[cfg(feature = "record")]
 use crate::record::mcap::{About, McapRecorder, Recordable, Topics};

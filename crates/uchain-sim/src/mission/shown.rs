@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::{Mission, Scene};
+use super::Mission;
 #[cfg(feature = "sweep")]
 use crate::analyse::Field;
 #[cfg(feature = "draw")]
@@ -95,8 +95,3 @@ pub fn thinned<M>(moments: &[M], rows: usize) -> Vec<&M> {
     kept.reverse();
     kept
 }
-
-/// The scene of a mission that people can look at.
-pub trait ShownScene: Scene<Mission: Shown> {}
-
-impl<S: Scene<Mission: Shown>> ShownScene for S {}
