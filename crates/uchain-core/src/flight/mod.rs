@@ -70,11 +70,13 @@ impl Attitude {
 
     /// The other way round: takes the world's axes to the body's.
     #[must_use]
+    #[inline]
     pub fn inverse(self) -> Self {
         Self { xyz: self.xyz.map(|part| -part), w: self.w }
     }
 
     /// A vector of the body as the world has it.
+    #[inline]
     pub fn turned(self, vector: [f32; 3]) -> [f32; 3] {
         let Self { xyz, w } = self;
         let along = scaled(vector, w * w - dot(xyz, xyz));
@@ -83,6 +85,7 @@ impl Attitude {
     }
 
     /// Where the body's x axis points to, counter-clockwise from the world's (rad).
+    #[inline]
     pub fn heading_rad(self) -> f32 {
         let Self { xyz: [x, y, z], w } = self;
         libm::atan2f(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
@@ -90,6 +93,7 @@ impl Attitude {
 }
 
 /// The turn from one heading to another, the short way round: in [−π, π) (rad).
+#[inline]
 pub fn turn_rad(from_rad: f32, to_rad: f32) -> f32 {
     let turn = to_rad - from_rad;
     turn - TAU * libm::floorf((turn + PI) / TAU)

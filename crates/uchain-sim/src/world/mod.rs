@@ -182,11 +182,14 @@ impl World {
 
     /// The places of all others in the air and on its level that are nearer than `reach_m` to this one (m).
     pub fn others_near(&self, body: usize, reach_m: f32) -> impl Iterator<Item = Vec2> {
-        let near = self.bodies.get(body).map(|here| {
-            let others = self.neighbours.near(here.at, reach_m);
-            others.filter(move |(other, _)| *other != body && self.bodies[*other].level_m == here.level_m)
-        });
-        near.into_iter().flatten().map(|(_, at)| at)
+        let here = self.bodies.get(body);
+        let near = here.map(|here| self.neighbours.near(here.at, reach_m));
+        let level_m = here.filter(|_| self.overlaps.is_some()).map(|here| here.level_m);
+        let is_beside =
+            move |other: usize| level_m.is_none_or(|level_m| self.bodies[other].level_m == level_m);
+        near.into_iter()
+            .flatten()
+            .filter_map(move |(other, at)| (other != body && is_beside(other)).then_some(at))
     }
 
     /// Whether all in the air that fly to waypoints are where they were told to be.
@@ -273,9 +276,13 @@ impl World {
 
     /// One tick: vehicles fly on; bodies that take velocities glide, and those within reach of a contact go through rapier.
     pub fn advance(&mut self) {
-        for (vehicle, body) in flying(&mut self.vehicles, &mut self.bodies) {
-            vehicle.advance();
-            body.aim(vehicle.now());
+        // Who flies to waypoints, or whoever is on another level, is looked for only where somebody may be.
+        let on_levels = self.overlaps.is_some();
+        if on_levels {
+            for (vehicle, body) in flying(&mut self.vehicles, &mut self.bodies) {
+                vehicle.advance();
+                body.aim(vehicle.now());
+            }
         }
         if let Some(contacts) = &mut self.contacts {
             for (body, command) in self.bodies.iter_mut().zip(&self.commands) {
@@ -286,8 +293,10 @@ impl World {
                 body.turn(TICK_S);
             }
         }
-        for (vehicle, body) in flying(&mut self.vehicles, &mut self.bodies) {
-            body.put(vehicle.now());
+        if on_levels {
+            for (vehicle, body) in flying(&mut self.vehicles, &mut self.bodies) {
+                body.put(vehicle.now());
+            }
         }
         self.tick += 1;
         self.neighbours.sort(&self.bodies);

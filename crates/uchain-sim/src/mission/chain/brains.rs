@@ -177,11 +177,9 @@ impl Brains {
 
     /// Every brain sees the same instant and asks; a dead one asks for nothing any more.
     pub(super) fn decide(&mut self, tick: u64, seen: &[Observation], commands: &mut Vec<Command>) {
-        commands.clear();
-        for i in 0..self.nodes.len() {
-            let has_failed = self.has_failed(i, tick);
-            let decided = seen.get(i).filter(|_| !has_failed).map(|seen| self.nodes[i].decide(seen));
-            commands.push(decided.unwrap_or_default());
+        commands.resize(self.nodes.len(), Command::default());
+        for (i, (command, seen)) in commands.iter_mut().zip(seen).enumerate() {
+            *command = if self.has_failed(i, tick) { Command::default() } else { self.nodes[i].decide(seen) };
         }
     }
 
