@@ -263,16 +263,16 @@ impl Exploration {
                     (robot.purpose, robot.moves) = (target.purpose, to != target.from);
                 }
             }
-            let (whole, news) = (self.team.whole(), self.team.news());
+            let (whole, diff) = (self.team.whole(), self.team.diff());
             let count = whole.cones().count();
-            for (slot, sectors) in news.nodes.clone().zip(news.sectors.chunks(count)) {
+            for (slot, sectors) in diff.nodes.clone().zip(diff.sectors.chunks(count)) {
                 let (Some(id), Some(at)) = (whole.id(slot), whole.at(slot)) else { continue };
                 let believed_m = [at.x_m, at.y_m];
                 let at_m = self.stood.get(usize::from(id.robot)).map_or(believed_m, Vec2::to_array);
                 frame.nodes.push(NodeFrame { id, at_m, believed_m, sectors: sectors.to_vec() });
             }
-            frame.labels.extend_from_slice(&news.labels);
-            frame.edges.extend_from_slice(&news.edges);
+            frame.labels.extend_from_slice(&diff.labels);
+            frame.edges.extend_from_slice(&diff.edges);
             frame.hubs = whole.hub_count() as u32;
         }
         for (robot, body) in frame.robots.iter_mut().zip(self.world.bodies()) {

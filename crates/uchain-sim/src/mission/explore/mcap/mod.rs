@@ -1,7 +1,7 @@
 //! Writes a recording while robots explore.
 
+mod events;
 mod message;
-mod news;
 mod scene;
 
 use std::io::Write;
@@ -21,8 +21,8 @@ use crate::{
         },
     },
 };
+use events::Events;
 use message::ExploreMetricsMessage;
-use news::News;
 use scene::{Graph, Stars, Ways, robot_colour};
 
 /// Records an exploration.
@@ -35,7 +35,7 @@ pub struct ExploreTopics {
     stars: Stars,
     graph: Graph,
     ways: Ways,
-    news: News,
+    events: Events,
 }
 
 struct Channels {
@@ -86,7 +86,7 @@ impl Topics for ExploreTopics {
             stars: Stars::default(),
             graph: Graph::default(),
             ways: Ways::default(),
-            news: News::default(),
+            events: Events::default(),
         })
     }
 
@@ -103,7 +103,7 @@ impl Topics for ExploreTopics {
             out.send(self.channels.transforms, frame.tick, &transforms(frame))?;
             out.send(self.channels.poses, frame.tick, &poses(frame))?;
         }
-        for event in self.news.update(frame) {
+        for event in self.events.update(frame) {
             out.send(self.channels.log, frame.tick, event)?;
         }
         Ok(())

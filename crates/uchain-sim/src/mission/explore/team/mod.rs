@@ -1,7 +1,7 @@
 //! A team that explores: its robots, what each of them knows, and who hears whom.
 
-mod hearing;
-mod news;
+mod connectivity;
+mod graph_diff;
 
 use uchain_core::explore::{
     Command, ExploreParams, Explorer, Message, Observation, Point, Purpose, Refusal, Ssg, Target, rule,
@@ -11,8 +11,8 @@ use crate::{
     mission::{Stopped, explore::Site},
     seed::{Seed, Source, Stream},
 };
-use hearing::Hearing;
-pub(crate) use news::News;
+use connectivity::Connectivity;
+pub(crate) use graph_diff::GraphDiff;
 
 /// All brains of an exploration. Where all hear all, one store serves them all; otherwise each has its own.
 #[derive(Debug)]
@@ -20,7 +20,7 @@ pub struct Team {
     params: ExploreParams,
     explorers: Vec<Explorer>,
     draws: Vec<Stream>,
-    hearing: Hearing,
+    connectivity: Connectivity,
     /// One for all, or one each.
     stores: Vec<Ssg>,
     /// All that any robot knows, if stores are not shared. Nobody reads it but the record.
@@ -29,7 +29,7 @@ pub struct Team {
     said: Vec<Vec<Message>>,
     targets: Vec<Target>,
     commands: Vec<Command>,
-    news: News,
+    diff: GraphDiff,
 }
 
 impl Team {
@@ -46,13 +46,13 @@ impl Team {
             params: scenario.params.clone(),
             explorers: (0..robots).map(|i| Explorer::new(i, robots)).collect(),
             draws: (0..u32::from(robots)).map(|i| seed.stream(i, Source::Choice)).collect(),
-            hearing: Hearing::new(count, scenario.team.range_m),
+            connectivity: Connectivity::new(count, scenario.team.range_m),
             whole: (!shared).then(|| noted.clone()),
             stores: if shared { vec![noted] } else { vec![empty.clone(); count] },
             said: vec![Vec::new(); count],
             targets: Vec::with_capacity(count),
             commands: Vec::with_capacity(count),
-            news: News::default(),
+            diff: GraphDiff::default(),
         }
     }
 
@@ -62,8 +62,8 @@ impl Team {
     }
 
     /// What this round has added to it.
-    pub(crate) fn news(&self) -> &News {
-        &self.news
+    pub(crate) fn diff(&self) -> &GraphDiff {
+        &self.diff
     }
 
     /// What the robots will fly, as they have said this round.
@@ -79,7 +79,7 @@ impl Team {
     /// One round (Kim 2021, Algorithm 2), by what every robot sees and by true places, which decide who hears whom.
     /// A reason if there is nothing left to fly.
     pub fn round(&mut self, robots: &[super::Observation], places: &[Point]) -> Option<Stopped> {
-        self.hearing.listen(places, &mut self.stores);
+        self.connectivity.listen(places, &mut self.stores);
         self.commands.clear();
         for (i, robot) in robots.iter().enumerate().take(self.explorers.len()) {
             let seen = Observation { pose: robot.pose, arrived: true, scan: robot.scan.as_deref() };
@@ -108,7 +108,7 @@ impl Team {
             self.targets.push(target);
             self.deliver(i);
         }
-        self.news.update(self.whole.as_mut().unwrap_or(&mut self.stores[0]));
+        self.diff.update(self.whole.as_mut().unwrap_or(&mut self.stores[0]));
         self.resolve_conflicts();
         self.over()
     }
@@ -116,15 +116,15 @@ impl Team {
     /// What a robot has just said goes to all that hear it.
     fn deliver(&mut self, speaker: usize) {
         for message in self.said[speaker].drain(..) {
-            for &i in self.hearing.group_of(speaker) {
+            for &i in self.connectivity.group_of(speaker) {
                 self.explorers[i].hear(&message);
             }
-            self.hearing.heard(speaker, &message);
+            self.connectivity.heard(speaker, &message);
             // A shared store has taken it in from its speaker.
             if let Some(whole) = &mut self.whole {
                 // Refused by one, refused by all.
                 let _ = whole.apply(&message);
-                for &i in self.hearing.group_of(speaker) {
+                for &i in self.connectivity.group_of(speaker) {
                     let _ = self.stores[i].apply(&message);
                 }
             }
@@ -134,7 +134,7 @@ impl Team {
     /// Conflicts are resolved among those that hear each other; others are too far apart to meet.
     fn resolve_conflicts(&mut self) {
         let mut rulings = vec![None; self.explorers.len()];
-        for group in self.hearing.groups() {
+        for group in self.connectivity.groups() {
             let targets: Vec<Target> = group.iter().map(|&i| self.targets[i]).collect();
             for (&i, ruling) in group.iter().zip(rule(&targets, &self.params)) {
                 rulings[i] = Some(ruling);

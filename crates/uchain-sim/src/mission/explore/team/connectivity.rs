@@ -7,7 +7,7 @@ use uchain_core::explore::{Message, NodeId, Point, Ssg};
 
 /// Groups of robots that hear each other this round. Robots of one group know the same.
 #[derive(Debug)]
-pub(super) struct Hearing {
+pub(super) struct Connectivity {
     /// Range of messages (m); `None`: all of the map.
     range_m: Option<f32>,
     /// Per robot, the lowest index of its group.
@@ -17,13 +17,13 @@ pub(super) struct Hearing {
     log: Log,
 }
 
-impl Hearing {
+impl Connectivity {
     pub(super) fn new(robots: usize, range_m: Option<f32>) -> Self {
         // Where all hear all, nobody is ever told what was said before.
         let log = Log::new(if range_m.is_some() { robots } else { 0 });
-        let mut hearing = Self { range_m, leader: Vec::new(), members: Vec::new(), log };
-        hearing.gather(vec![0; robots]);
-        hearing
+        let mut connectivity = Self { range_m, leader: Vec::new(), members: Vec::new(), log };
+        connectivity.gather(vec![0; robots]);
+        connectivity
     }
 
     /// The robots of a robot's group, itself included, in index order.
@@ -134,7 +134,7 @@ impl Log {
     fn tell(&mut self, stores: &mut [Ssg], from: usize, to: usize) {
         let Some(known) = stores.get(from) else { return };
         let reports: Vec<Message> = self
-            .news(known, from, to)
+            .unheard(known, from, to)
             .into_iter()
             .filter_map(|slot| known.report(slot))
             .map(Message::Node)
@@ -152,7 +152,7 @@ impl Log {
     }
 
     /// Slots of one robot's nodes that it has heard something of and another robot has not, in order.
-    fn news(&self, known: &Ssg, from: usize, to: usize) -> Vec<usize> {
+    fn unheard(&self, known: &Ssg, from: usize, to: usize) -> Vec<usize> {
         let mut new: Vec<usize> = Vec::new();
         for (speaker, said) in self.said.iter().enumerate() {
             let unheard = said.get(self.heard[to][speaker]..self.heard[from][speaker]).unwrap_or_default();

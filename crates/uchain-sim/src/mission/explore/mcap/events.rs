@@ -9,12 +9,12 @@ use crate::record::mcap::scene::time;
 
 /// `/log`: tells from one frame to the next what has happened.
 #[derive(Debug, Default)]
-pub(super) struct News {
+pub(super) struct Events {
     robots: Vec<RobotFrame>,
     said: Vec<Log>,
 }
 
-impl News {
+impl Events {
     /// What has happened since the last frame.
     pub(super) fn update(&mut self, frame: &ExploreFrame) -> &[Log] {
         self.said.clear();

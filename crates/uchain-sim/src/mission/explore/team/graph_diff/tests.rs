@@ -55,7 +55,7 @@ proptest! {
     ) {
         let mut ssg = Ssg::new(ExploreParams::default(), 3).unwrap();
         ssg.note_freed();
-        let (mut news, mut whole) = (News::default(), Whole::default());
+        let (mut diff, mut whole) = (GraphDiff::default(), Whole::default());
         let mut numbers = [0_u32; 3];
         for (i, ((robot, x_m, y_m, signs, from), (of, number, k))) in scans.into_iter().zip(spent).enumerate() {
             let next = &mut numbers[usize::from(robot)];
@@ -76,14 +76,14 @@ proptest! {
             let node = NodeId { robot: of, number };
             ssg.apply(&Message::Spent(SpentReport { node, sectors: [k; 2] })).unwrap();
             if i % round == 0 {
-                news.update(&mut ssg);
+                diff.update(&mut ssg);
                 let (nodes, labels, edges) = whole.update(&ssg);
-                prop_assert_eq!(&news.nodes, &nodes);
-                prop_assert_eq!(&news.labels, &labels);
-                prop_assert_eq!(&news.edges, &edges);
+                prop_assert_eq!(&diff.nodes, &nodes);
+                prop_assert_eq!(&diff.labels, &labels);
+                prop_assert_eq!(&diff.edges, &edges);
                 prop_assert_eq!(ssg.hub_count(), ssg.hubs().count());
-                let twice: BTreeSet<_> = news.labels.iter().map(|l| (l.node, l.sector)).collect();
-                prop_assert_eq!(twice.len(), news.labels.len());
+                let twice: BTreeSet<_> = diff.labels.iter().map(|l| (l.node, l.sector)).collect();
+                prop_assert_eq!(twice.len(), diff.labels.len());
             }
         }
     }

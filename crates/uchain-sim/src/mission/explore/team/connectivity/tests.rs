@@ -67,13 +67,13 @@ proptest! {
         let nodes_max = if small && !eq8 { 20 } else { 20_000 };
         let empty = Ssg::new(ExploreParams { edges, nodes_max, ..ExploreParams::default() }, 5).unwrap();
         let (mut stores, mut oracle) = (vec![empty.clone(); 5], vec![empty; 5]);
-        let mut hearing = Hearing::new(5, Some(RANGE_M));
+        let mut connectivity = Connectivity::new(5, Some(RANGE_M));
         let mut numbers = [0_u32; 5];
         for robots in rounds {
             let places: Vec<Point> = robots.iter().map(|&(x_m, y_m, ..)| Point { x_m, y_m }).collect();
-            let before = hearing.leader.clone();
-            hearing.listen(&places, &mut stores);
-            tell_all(&before, &hearing.leader, &mut oracle);
+            let before = connectivity.leader.clone();
+            connectivity.listen(&places, &mut stores);
+            tell_all(&before, &connectivity.leader, &mut oracle);
             for i in 0..5 {
                 let (ours, theirs) = (known(&stores[i]), known(&oracle[i]));
                 if ours.0.len() < nodes_max as usize {
@@ -94,11 +94,11 @@ proptest! {
                 numbers[i] += 1;
                 let spent = Message::Spent(SpentReport { node: id, sectors: [*k; 2] });
                 for message in [scanned, spent] {
-                    for &hearer in hearing.group_of(i) {
+                    for &hearer in connectivity.group_of(i) {
                         let _ = stores[hearer].apply(&message);
                         let _ = oracle[hearer].apply(&message);
                     }
-                    hearing.heard(i, &message);
+                    connectivity.heard(i, &message);
                 }
             }
         }
@@ -108,27 +108,27 @@ proptest! {
 #[test]
 fn robots_that_meet_again_tell_what_is_new_and_not_what_they_know() {
     let mut stores = vec![Ssg::new(ExploreParams::default(), 3).unwrap(); 3];
-    let mut hearing = Hearing::new(3, Some(RANGE_M));
+    let mut connectivity = Connectivity::new(3, Some(RANGE_M));
     let at = |x_m: f32| Point { x_m, y_m: 0.0 };
-    let say = |hearing: &mut Hearing, stores: &mut [Ssg], robot: usize, number: u32| {
+    let say = |connectivity: &mut Connectivity, stores: &mut [Ssg], robot: usize, number: u32| {
         let id = NodeId { robot: robot as u16, number };
         let message = node(id, at(number as f32 * 0.7), &[1; 18]);
-        for &hearer in hearing.group_of(robot) {
+        for &hearer in connectivity.group_of(robot) {
             stores[hearer].apply(&message).unwrap();
         }
-        hearing.heard(robot, &message);
+        connectivity.heard(robot, &message);
     };
     for number in 0..50 {
-        say(&mut hearing, &mut stores, 0, number);
+        say(&mut connectivity, &mut stores, 0, number);
     }
     // All were together; they part, and the first finds one more node.
-    hearing.listen(&[at(0.0), at(5.0), at(10.0)], &mut stores);
-    say(&mut hearing, &mut stores, 0, 50);
-    assert_eq!(hearing.log.news(&stores[0], 0, 1).len(), 1);
-    hearing.listen(&[at(0.0), at(1.0), at(10.0)], &mut stores);
+    connectivity.listen(&[at(0.0), at(5.0), at(10.0)], &mut stores);
+    say(&mut connectivity, &mut stores, 0, 50);
+    assert_eq!(connectivity.log.unheard(&stores[0], 0, 1).len(), 1);
+    connectivity.listen(&[at(0.0), at(1.0), at(10.0)], &mut stores);
     assert_eq!(stores.iter().map(Ssg::len).collect::<Vec<_>>(), [51, 51, 50]);
     // The third hears it from the second, and then there is nothing that the first could tell it.
-    hearing.listen(&[at(0.0), at(9.0), at(10.0)], &mut stores);
+    connectivity.listen(&[at(0.0), at(9.0), at(10.0)], &mut stores);
     assert_eq!(stores[2].len(), 51);
-    assert_eq!(hearing.log.news(&stores[0], 0, 2).len(), 0);
+    assert_eq!(connectivity.log.unheard(&stores[0], 0, 2).len(), 0);
 }

@@ -11,7 +11,7 @@ use crate::mission::explore::LabelFrame;
 
 /// The difference of a store before and after a round. To find it costs what is new, however much is known.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct News {
+pub(crate) struct GraphDiff {
     /// Slots of new nodes.
     pub(crate) nodes: Range<usize>,
     /// Sectors of the new nodes as they were scanned.
@@ -24,7 +24,7 @@ pub(crate) struct News {
     edges_known: usize,
 }
 
-impl News {
+impl GraphDiff {
     /// What is new in a store since the last time. It is a store that notes what becomes free.
     pub(super) fn update(&mut self, ssg: &mut Ssg) {
         let mut freed = ssg.take_freed();
