@@ -89,7 +89,7 @@ fn ended(
 
 /// Works, and says how long that took (s).
 #[expect(clippy::disallowed_methods, reason = "wall_s is the one number that is about this computer")]
-fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
+pub(crate) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     let start = std::time::Instant::now();
     let done = work();
     (done, start.elapsed().as_secs_f64())

@@ -15,6 +15,7 @@ use uchain_sim::{
 use super::{Sweep, progress::Progress, summary::SweepSummary};
 use crate::{
     exit::Failure,
+    fly::timed,
     monitor::{interrupted, listen_for_interrupt},
 };
 
@@ -64,12 +65,4 @@ fn complete(asked: &Sweep, folder: &Folder, sweep: &sweep::Sweep) -> Result<(Tot
         Some(totals) => Ok((totals, true)),
         None => folder.totals(sweep).map(|totals| (totals, false)),
     }
-}
-
-/// Works, and says how long that took (s).
-#[expect(clippy::disallowed_methods, reason = "wall_s is the one number that is about this computer")]
-pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
-    let start = std::time::Instant::now();
-    let done = work();
-    (done, start.elapsed().as_secs_f64())
 }

@@ -5,8 +5,8 @@ use uchain_sim::{
     sweep::folder::{self, Folder},
 };
 
-use super::{Merge, fly::timed, summary::SweepSummary};
-use crate::exit::Failure;
+use super::{Merge, summary::SweepSummary};
+use crate::{exit::Failure, fly::timed};
 
 pub(crate) fn merge(registry: Registry, asked: &Merge) -> Result<(), Failure> {
     let (totals, wall_s) = timed(|| folder::merge(registry, &asked.folders, &asked.out));
