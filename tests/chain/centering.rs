@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::Vec2;
 use uchain_core::{
-    chain::{CenterLaw, Heard, Node, NodeParams, Observation, Packet, Pilot, RadioSlot, Role},
+    chain::{CenterLaw, Heard, Node, NodeParams, Observation, Packet, PilotInput, RadioSlot, Role},
     seam::Brain,
 };
 use uchain_sim::{
@@ -91,7 +91,7 @@ fn fly(pass: &Pass, law: CenterLaw) -> End {
     params.equalize.v_max_mps = params.equalize.v_max_mps.max(pass.speed_mps);
     let mut node = Node::new(Role::Head, params);
     let speed_mps = if pass.backward { -pass.speed_mps } else { pass.speed_mps };
-    let pilot = Pilot { speed_mps, ..Pilot::default() };
+    let pilot = PilotInput { speed_mps, ..PilotInput::default() };
     let good = Heard { loss_db: 40.0, packet: Packet::default() };
 
     let goal_m = line.length_m() - margin_m;

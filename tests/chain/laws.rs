@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use uchain_core::{
     chain::{
         CenterLaw, CenterParams, Command, EqualizeParams, Follow, Gap, Heard, KalmanParams, Node, NodeParams,
-        Observation, Packet, Pilot, RadioSlot, Role, ScalarKalman, SpeedLaw, TOF_RANGE_M, Tof, center,
+        Observation, Packet, PilotInput, RadioSlot, Role, ScalarKalman, SpeedLaw, TOF_RANGE_M, Tof, center,
         equalize,
     },
     seam::Brain,
@@ -238,7 +238,7 @@ fn any_observation() -> impl Strategy<Value = Observation> {
         prop::option::of((any_heard(), any_heard()).prop_map(|(back, front)| RadioSlot { back, front }));
     (prop::option::of(any_tof()), radio, any_f32(), any_f32()).prop_map(
         |(tof, radio, ground_speed_mps, speed_mps)| {
-            let pilot = Pilot { speed_mps, follow: Follow::Left };
+            let pilot = PilotInput { speed_mps, follow: Follow::Left };
             Observation { tof, radio, ground_speed_mps, pilot: Some(pilot) }
         },
     )

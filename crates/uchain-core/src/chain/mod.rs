@@ -15,5 +15,5 @@ pub use guard::{HeadGuard, RelayGuard};
 pub use kalman::{KalmanParams, ScalarKalman};
 pub use link::{End, Gap, LinkEnd, LinkParams, Signal};
 pub use node::{Node, NodeParams, Role};
-pub use seam::{Command, Follow, Heard, Observation, Packet, Pilot, RadioSlot, TOF_RANGE_M, Tof};
+pub use seam::{Command, Follow, Heard, Observation, Packet, PilotInput, RadioSlot, TOF_RANGE_M, Tof};
 pub use takeoff::{Launch, Takeoff, TakeoffParams};

@@ -50,9 +50,9 @@ impl Default for NodeParams {
 /// The brain of one UAV.
 ///
 /// ```
-/// use uchain_core::{chain::{Node, NodeParams, Observation, Pilot, RadioSlot, Role}, seam::Brain};
+/// use uchain_core::{chain::{Node, NodeParams, Observation, PilotInput, RadioSlot, Role}, seam::Brain};
 /// let mut head = Node::new(Role::Head, NodeParams::default());
-/// let pilot = Pilot { speed_mps: 0.2, ..Pilot::default() };
+/// let pilot = PilotInput { speed_mps: 0.2, ..PilotInput::default() };
 /// let seen = Observation { radio: Some(RadioSlot::default()), pilot: Some(pilot), ..Observation::default() };
 /// assert!(head.decide(&seen).airborne); // the head takes off at its first decision
 /// ```

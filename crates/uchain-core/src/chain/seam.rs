@@ -77,7 +77,7 @@ pub struct RadioSlot {
 
 /// What the pilot of the head asks for: a speed and a wall, nothing else.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Pilot {
+pub struct PilotInput {
     /// Forward speed, negative backward (m/s).
     pub speed_mps: f32,
     /// Wall to follow.
@@ -94,7 +94,7 @@ pub struct Observation {
     /// Own forward ground speed by optic flow (m/s).
     pub ground_speed_mps: f32,
     /// The pilot's wish; only the head has a pilot.
-    pub pilot: Option<Pilot>,
+    pub pilot: Option<PilotInput>,
 }
 
 /// All a chain node may ask of its body.

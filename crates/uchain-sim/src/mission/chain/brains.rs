@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use uchain_core::{
-    chain::{Command, End, LinkEnd, Node, NodeParams, Observation, Packet, Pilot, RadioSlot, Role},
+    chain::{Command, End, LinkEnd, Node, NodeParams, Observation, Packet, PilotInput, RadioSlot, Role},
     seam::Brain,
 };
 
@@ -101,9 +101,12 @@ impl Brains {
     }
 
     /// What the pilot asks of the head at this time.
-    pub(super) fn pilot_at(&self, time_s: f64) -> Pilot {
+    pub(super) fn pilot_at(&self, time_s: f64) -> PilotInput {
         let now = self.course.scenario.pilot.iter().take_while(|step| step.start_s <= time_s).last();
-        now.map_or_else(Pilot::default, |step| Pilot { speed_mps: step.speed_mps, follow: step.follow })
+        now.map_or_else(PilotInput::default, |step| PilotInput {
+            speed_mps: step.speed_mps,
+            follow: step.follow,
+        })
     }
 
     /// Whether a UAV has failed by now.
