@@ -87,6 +87,8 @@ impl RingScene {
 impl Scene for RingScene {
     type Mission = Ring;
     type Shared = ();
+    type Extensions = ();
+    const BUILTIN: () = ();
     const KIND: &'static str = "a ring";
     const ROBOT: &'static str = "robot";
     const KEYS: &'static Keys = &Keys {
@@ -95,19 +97,19 @@ impl Scene for RingScene {
         renamed: &[],
     };
 
-    fn schema() -> serde_json::Value {
+    fn schema((): ()) -> serde_json::Value {
         schema_with_table(&RING, [schema_of::<RingConfig>()])
     }
 
-    fn describe(document: &Document<'_>) -> Result<[String; 2], ConfigError> {
+    fn describe(document: &Document<'_>, (): ()) -> Result<[String; 2], ConfigError> {
         Self::checked(document).map(|(heading, _)| [heading.name, heading.description])
     }
 
-    fn takes(document: &Document<'_>) -> bool {
+    fn takes(document: &Document<'_>, (): ()) -> bool {
         document.values::<File>().is_ok()
     }
 
-    fn lay(document: &Document<'_>, map: Option<Map>, (): &()) -> Result<Arc<Self>, ConfigError> {
+    fn lay(document: &Document<'_>, map: Option<Map>, (): &(), (): ()) -> Result<Arc<Self>, ConfigError> {
         let (heading, ring) = Self::checked(document)?;
         let map = match map {
             Some(map) => map,

@@ -8,6 +8,9 @@
 //! [`Registry`](crate::registry::Registry). The project's `tests/ring` is one. Its keys are declared with
 //! [`uchain_core::params!`], in a crate that has the feature `schema` and schemars; its messages derive prost's; what it
 //! finds at the end is an [`Outcome::Own`](crate::analyse::Outcome::Own).
+//!
+//! Smaller answers of one's own, such as a strategy for explorers, need no mission: they get their words in scenarios as
+//! [`Scene::Extensions`] of a mission that is there.
 
 pub mod chain;
 pub mod explore;
@@ -114,7 +117,12 @@ pub trait Scene: Sized + Debug + Send + Sync + 'static {
     type Mission: Mission<Scene = Self>;
     /// What scenes that differ in other things may share, such as a table that takes long to make.
     type Shared: Default + Clone + Debug + Send + Sync + 'static;
+    /// What a program adds to the words that scenarios of this mission may use, such as a strategy of its own; `()` where
+    /// nothing can be added. [`Of::with`](crate::registry::Of::with) hands it to everything that reads scenarios.
+    type Extensions: Copy + Debug + Send + Sync + 'static;
 
+    /// Nothing added: scenarios use the words that are built in.
+    const BUILTIN: Self::Extensions;
     /// The mission in a word, with its article: "a chain".
     const KIND: &'static str;
     /// One that flies: "UAV".
@@ -123,18 +131,19 @@ pub trait Scene: Sized + Debug + Send + Sync + 'static {
     /// The keys that its scenarios may have.
     const KEYS: &'static Keys;
 
-    /// A scenario of it as JSON Schema; [`config::help`](crate::config::help) has what helps to make one.
+    /// A scenario of it as JSON Schema, words that were added included; [`config::help`](crate::config::help) has what
+    /// helps to make one.
     #[cfg(feature = "schema")]
-    fn schema() -> serde_json::Value;
+    fn schema(extensions: Self::Extensions) -> serde_json::Value;
 
     /// Name and description of a scenario, its values checked one by one; nothing is laid out.
     ///
     /// # Errors
     /// What is wrong with the scenario, and where that was written.
-    fn describe(document: &Document<'_>) -> Result<[String; 2], ConfigError>;
+    fn describe(document: &Document<'_>, extensions: Self::Extensions) -> Result<[String; 2], ConfigError>;
 
     /// Whether all values of a scenario are of the right types, whatever they are.
-    fn takes(document: &Document<'_>) -> bool;
+    fn takes(document: &Document<'_>, extensions: Self::Extensions) -> bool;
 
     /// Lays a scenario out. A `map` that was built before stands where the scenario names one.
     ///
@@ -144,6 +153,7 @@ pub trait Scene: Sized + Debug + Send + Sync + 'static {
         document: &Document<'_>,
         map: Option<Map>,
         shared: &Self::Shared,
+        extensions: Self::Extensions,
     ) -> Result<Arc<Self>, ConfigError>;
 
     /// Reads, checks and lays out a scenario, with `sets` (`key=value`) written over it.
@@ -151,23 +161,30 @@ pub trait Scene: Sized + Debug + Send + Sync + 'static {
     /// # Errors
     /// What is wrong, and where that was written, `--set` included.
     fn read(source: &Source, sets: &[String]) -> Result<Arc<Self>, ConfigError> {
-        Self::lay(
-            &Document::parse(source, sets, &KnownKeys::of(&[Self::KEYS]))?,
-            None,
-            &Self::Shared::default(),
-        )
+        Self::read_with(source, sets, Self::BUILTIN)
     }
 
-    /// Like [`Scene::read`], in a map that was built before: it stands where the scenario names one, which is not read.
+    /// Like [`Scene::read`], of a scenario that may use added words.
     ///
     /// # Errors
     /// Those of [`Scene::read`].
-    fn read_in(source: &Source, map: Map) -> Result<Arc<Self>, ConfigError> {
-        Self::lay(
-            &Document::parse(source, &[], &KnownKeys::of(&[Self::KEYS]))?,
-            Some(map),
-            &Self::Shared::default(),
-        )
+    fn read_with(
+        source: &Source,
+        sets: &[String],
+        extensions: Self::Extensions,
+    ) -> Result<Arc<Self>, ConfigError> {
+        let known = KnownKeys::of(&[Self::KEYS]);
+        Self::lay(&Document::parse(source, sets, &known)?, None, &Self::Shared::default(), extensions)
+    }
+
+    /// Like [`Scene::read_with`], in a map that was built before: it stands where the scenario names one, which is not
+    /// read.
+    ///
+    /// # Errors
+    /// Those of [`Scene::read`].
+    fn read_in(source: &Source, map: Map, extensions: Self::Extensions) -> Result<Arc<Self>, ConfigError> {
+        let known = KnownKeys::of(&[Self::KEYS]);
+        Self::lay(&Document::parse(source, &[], &known)?, Some(map), &Self::Shared::default(), extensions)
     }
 
     /// The scenario's name.

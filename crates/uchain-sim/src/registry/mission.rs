@@ -1,6 +1,6 @@
 //! Missions and their scenes behind one face each.
 
-use std::{any::Any, fmt::Debug, marker::PhantomData, sync::Arc};
+use std::{any::Any, fmt::Debug, sync::Arc};
 
 use super::{AnyScene, scene::Laid};
 #[cfg(feature = "sweep")]
@@ -59,14 +59,28 @@ pub trait AnyMission: Debug + Sync {
     /// Columns of the numbers that a run comes to.
     #[cfg(feature = "sweep")]
     fn columns(&self) -> Vec<Column>;
+
+    /// Itself, an [`Of`].
+    fn as_any(&self) -> &dyn Any;
 }
 
-/// The mission that is flown in scenes of a kind.
-pub struct Of<S>(PhantomData<fn() -> S>);
+/// The mission that is flown in scenes of a kind, with what a program adds to the words of their scenarios.
+pub struct Of<S: Scene>(S::Extensions);
 
-impl<S> Of<S> {
-    /// There is but one.
-    pub const NEW: Self = Self(PhantomData);
+impl<S: Scene> Of<S> {
+    /// With the words that are built in.
+    pub const NEW: Self = Self(S::BUILTIN);
+
+    /// With these words besides. They are known to all that goes by the registry: the command line, sweeps, recordings
+    /// that are flown again, explanations of keys and hints.
+    pub const fn with(extensions: S::Extensions) -> Self {
+        Self(extensions)
+    }
+
+    /// What was added.
+    pub(super) fn extensions(&self) -> S::Extensions {
+        self.0
+    }
 }
 
 impl<S: Scene> Debug for Of<S> {
@@ -97,11 +111,11 @@ impl<S: Whole> AnyMission for Of<S> {
 
     #[cfg(feature = "schema")]
     fn schema(&self) -> serde_json::Value {
-        S::schema()
+        S::schema(self.0)
     }
 
     fn describe(&self, document: &Document<'_>) -> Result<[String; 2], ConfigError> {
-        S::describe(document)
+        S::describe(document, self.0)
     }
 
     fn lay(
@@ -112,16 +126,16 @@ impl<S: Whole> AnyMission for Of<S> {
     ) -> Result<Arc<dyn AnyScene>, ConfigError> {
         let shared =
             shared.and_then(|shared| shared.downcast_ref::<S::Shared>()).cloned().unwrap_or_default();
-        S::lay(document, map, &shared).map(|scene| -> Arc<dyn AnyScene> { Arc::new(Laid(scene)) })
+        S::lay(document, map, &shared, self.0).map(|scene| -> Arc<dyn AnyScene> { Arc::new(Laid(scene)) })
     }
 
     fn takes(&self, document: &Document<'_>) -> bool {
-        S::takes(document)
+        S::takes(document, self.0)
     }
 
     #[cfg(all(feature = "record", feature = "draw"))]
     fn recording(&self, opened: Opened<super::recording::Input>) -> Box<dyn super::AnyRecording> {
-        Box::new(crate::replay::Recording::<_, S>::from(opened))
+        Box::new(crate::replay::Recording::<_, S>::from(opened).with_extensions(self.0))
     }
 
     fn shared(&self) -> Box<dyn Any + Send + Sync> {
@@ -136,6 +150,10 @@ impl<S: Whole> AnyMission for Of<S> {
             is_result: true,
         };
         S::Mission::columns().iter().map(column).collect()
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
     }
 }
 

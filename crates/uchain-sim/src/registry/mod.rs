@@ -19,7 +19,7 @@ use std::sync::{Arc, LazyLock};
 use crate::config::help;
 use crate::{
     config::{ConfigError, Document, Keys, KnownKeys, Source},
-    mission::{chain::Course, explore::Site},
+    mission::{Scene, chain::Course, explore::Site},
 };
 
 #[cfg(all(feature = "record", feature = "draw"))]
@@ -123,6 +123,12 @@ impl Registry {
         self.mission_of(&document).lay(&document, None, Some(shared))
     }
 
+    /// What is added to the words of the scenarios of a mission.
+    fn extensions<S: Scene>(self) -> S::Extensions {
+        let added = self.0.iter().find_map(|mission| mission.as_any().downcast_ref::<Of<S>>());
+        added.map_or(S::BUILTIN, Of::extensions)
+    }
+
     /// Reads, checks and lays out a chain's scenario, as [`Course::read`] does. What a slip of the finger may have meant is
     /// looked for among the keys of all missions, not of chains alone.
     ///
@@ -130,7 +136,7 @@ impl Registry {
     /// Those of [`Course::read`].
     pub fn chain(self, source: &Source, sets: &[String]) -> Result<Arc<Course>, ConfigError> {
         let known = self.known();
-        Course::from_document(&Document::parse(source, sets, &known)?)
+        Course::from_document(&Document::parse(source, sets, &known)?, self.extensions::<Course>())
     }
 
     /// JSON Schema (draft 7) of a scenario file. Names, types, ranges, defaults and descriptions are those of the laws'

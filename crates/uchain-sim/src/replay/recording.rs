@@ -34,6 +34,7 @@ pub struct Recording<R, S: Scene<Mission: Recorded>> {
     /// The frames that have not been read yet.
     pub frames: Frames<R, FrameOf<S>>,
     source: Source,
+    extensions: S::Extensions,
 }
 
 impl<S: Scene<Mission: Recorded>> Recording<BufReader<File>, S> {
@@ -53,6 +54,7 @@ impl<R: Read, S: Scene<Mission: Recorded>> From<Opened<R>> for Recording<R, S> {
             walls: opened.walls.clone(),
             source: opened.source(),
             frames: opened.frames(),
+            extensions: S::BUILTIN,
         }
     }
 }
@@ -66,6 +68,12 @@ impl<R: Read, S: Scene<Mission: Recorded>> Recording<R, S> {
         Opened::read(input, label).map(Self::from)
     }
 
+    /// For a scenario that may use words which this program adds to those that are built in.
+    #[must_use]
+    pub fn with_extensions(self, extensions: S::Extensions) -> Self {
+        Self { extensions, ..self }
+    }
+
     /// The scene that was flown in, in the walls that were recorded; map files are not read. Frames with another number
     /// of robots are refused from here on.
     ///
@@ -73,7 +81,7 @@ impl<R: Read, S: Scene<Mission: Recorded>> Recording<R, S> {
     /// [`ReadError::Scenario`]: a scenario that this version cannot fly, or of another mission.
     pub fn scene(&mut self) -> Result<Arc<S>, ReadError> {
         let map = self.walls.clone().with_offset_m(self.about.map_offset_m);
-        let scene = S::read_in(&self.source, map).map_err(Box::new)?;
+        let scene = S::read_in(&self.source, map, self.extensions).map_err(Box::new)?;
         self.frames.expect_crew(scene.crew());
         Ok(scene)
     }

@@ -70,7 +70,7 @@ fn the_scenario_in_a_recording_is_the_whole_scenario() {
             assert_eq!(map.walls(), asked.map.walls());
             let source = Source { text: about.scenario, ..builtin(name).unwrap() };
             let map = map.with_offset_m(about.map_offset_m);
-            let again = Course::read_in(&source, map).unwrap();
+            let again = Course::read_in(&source, map, Course::BUILTIN).unwrap();
             let without = Scenario { preset: None, ..asked.scenario.clone() };
             assert_eq!(again.scenario, without, "{name} {sets:?}");
             assert_eq!(again.spawns, asked.spawns);

@@ -2,6 +2,7 @@
 
 mod brains;
 mod config;
+mod extensions;
 mod frame;
 #[cfg(feature = "record")]
 mod mcap;
@@ -28,6 +29,7 @@ use crate::{
 
 use brains::Brains;
 pub use config::{ChainConfig, PilotStep, Scenario, UAVS_MAX};
+pub use extensions::ChainExtensions;
 pub(crate) use frame::spread_db;
 pub use frame::{Frame, HeadFrame, History, LinkFrame, Moment, Silence, UavFrame};
 #[cfg(feature = "record")]

@@ -4,6 +4,7 @@
 //! [`TeamConfig::scan_s`]. In between they fly.
 
 mod config;
+mod extensions;
 mod frame;
 mod ground;
 #[cfg(feature = "record")]
@@ -31,6 +32,7 @@ use crate::{
 };
 
 pub use config::{ExploreScenario, TeamConfig, VehicleKind};
+pub use extensions::SiteExtensions;
 pub use frame::{ExploreFrame, LabelFrame, NodeFrame, Progress, RobotFrame};
 pub(crate) use frame::{Odometer, Way};
 pub(crate) use ground::width_but_for_m;

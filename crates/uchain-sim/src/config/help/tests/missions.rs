@@ -33,8 +33,8 @@ const RING_KEYS: Keys = Keys {
 fn of_three() -> Value {
     schema([
         (&RING_KEYS, schema_with_table(&RING, [schema_of::<RingConfig>()])),
-        (Course::KEYS, Course::schema()),
-        (Site::KEYS, Site::schema()),
+        (Course::KEYS, Course::schema(Course::BUILTIN)),
+        (Site::KEYS, Site::schema(Site::BUILTIN)),
     ])
 }
 
@@ -122,12 +122,12 @@ fn what_only_chains_have_is_refused_in_an_exploration_in_words() {
 
 #[test]
 fn a_mission_alone_asks_for_all_it_needs() {
-    let alone = schema([(Course::KEYS, Course::schema())]);
+    let alone = schema([(Course::KEYS, Course::schema(Course::BUILTIN))]);
     assert!(alone.get("if").is_none());
     assert!(takes(&alone, &["name", "duration_s", "map", "chain", "pilot"]));
     assert!(!takes(&alone, &["name", "duration_s", "map", "chain"]));
     // Without a mission for what has no marker, nothing else is a scenario.
-    let marked = schema([(Site::KEYS, Site::schema())]);
+    let marked = schema([(Site::KEYS, Site::schema(Site::BUILTIN))]);
     assert!(takes(&marked, &["name", "duration_s", "map", "explore"]));
     assert!(!takes(&marked, &["name", "duration_s", "map"]));
 }

@@ -10,7 +10,7 @@ use std::sync::{Arc, OnceLock};
 use glam::Vec2;
 
 use super::{
-    Chain, Scenario,
+    Chain, ChainExtensions, Scenario,
     config::{KEYS, KNOWN, thresholds, values},
 };
 use crate::{
@@ -73,11 +73,14 @@ impl Course {
     /// # Errors
     /// Those of [`Scenario::parse`] and [`Course::lay_out`]; each names its place, `--set` included.
     pub fn read(source: &Source, sets: &[String]) -> Result<Arc<Self>, ConfigError> {
-        Self::from_document(&Document::parse(source, sets, &KNOWN)?)
+        Self::from_document(&Document::parse(source, sets, &KNOWN)?, Self::BUILTIN)
     }
 
     /// Lays out what a document says.
-    pub(crate) fn from_document(document: &Document<'_>) -> Result<Arc<Self>, ConfigError> {
+    pub(crate) fn from_document(
+        document: &Document<'_>,
+        ChainExtensions {}: ChainExtensions,
+    ) -> Result<Arc<Self>, ConfigError> {
         let scenario = Scenario::from_document(document)?;
         Self::lay_in(scenario, document, None, &Arc::default()).map(Arc::new)
     }
@@ -158,20 +161,22 @@ impl Scene for Course {
     type Mission = Chain;
     /// Tables of optima.
     type Shared = Arc<TableCache>;
+    type Extensions = ChainExtensions;
+    const BUILTIN: ChainExtensions = ChainExtensions {};
     const KIND: &'static str = "a chain";
     const ROBOT: &'static str = "UAV";
     const KEYS: &'static Keys = &KEYS;
 
-    fn describe(document: &Document<'_>) -> Result<[String; 2], ConfigError> {
+    fn describe(document: &Document<'_>, _: ChainExtensions) -> Result<[String; 2], ConfigError> {
         Scenario::from_document(document).map(|scenario| [scenario.name, scenario.description])
     }
 
     #[cfg(feature = "schema")]
-    fn schema() -> serde_json::Value {
+    fn schema(_: ChainExtensions) -> serde_json::Value {
         super::config::schema()
     }
 
-    fn takes(document: &Document<'_>) -> bool {
+    fn takes(document: &Document<'_>, _: ChainExtensions) -> bool {
         Scenario::unchecked(document).is_ok()
     }
 
@@ -184,6 +189,7 @@ impl Scene for Course {
         document: &Document<'_>,
         map: Option<Map>,
         shared: &Self::Shared,
+        ChainExtensions {}: ChainExtensions,
     ) -> Result<Arc<Self>, ConfigError> {
         let scenario = Scenario::from_document(document)?;
         let was_flown = map.is_some();

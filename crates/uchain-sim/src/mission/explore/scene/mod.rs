@@ -10,7 +10,7 @@ use glam::Vec2;
 use uchain_core::explore::Ssg;
 
 use super::{
-    Exploration, ExploreScenario,
+    Exploration, ExploreScenario, SiteExtensions,
     config::{KEYS, KNOWN},
 };
 use crate::{
@@ -57,7 +57,7 @@ impl Site {
     /// Those of [`ExploreScenario::parse`]; a map that cannot be read or built; a robot in rock, nearer to a wall
     /// than it may come, or nearer to another one than they may come, wherever the seed puts them.
     pub fn read(source: &Source, sets: &[String]) -> Result<Arc<Self>, ConfigError> {
-        <Self as Scene>::lay(&Document::parse(source, sets, &KNOWN)?, None, &())
+        <Self as Scene>::lay(&Document::parse(source, sets, &KNOWN)?, None, &(), Self::BUILTIN)
     }
 
     /// What robots know before their first scan.
@@ -112,24 +112,31 @@ impl Site {
 impl Scene for Site {
     type Mission = Exploration;
     type Shared = ();
+    type Extensions = SiteExtensions;
+    const BUILTIN: SiteExtensions = SiteExtensions {};
     const KIND: &'static str = "an exploration";
     const ROBOT: &'static str = "robot";
     const KEYS: &'static Keys = &KEYS;
 
-    fn describe(document: &Document<'_>) -> Result<[String; 2], ConfigError> {
+    fn describe(document: &Document<'_>, _: SiteExtensions) -> Result<[String; 2], ConfigError> {
         ExploreScenario::from_document(document).map(|scenario| [scenario.name, scenario.description])
     }
 
     #[cfg(feature = "schema")]
-    fn schema() -> serde_json::Value {
+    fn schema(_: SiteExtensions) -> serde_json::Value {
         super::config::schema()
     }
 
-    fn takes(document: &Document<'_>) -> bool {
+    fn takes(document: &Document<'_>, _: SiteExtensions) -> bool {
         ExploreScenario::unchecked(document).is_ok()
     }
 
-    fn lay(document: &Document<'_>, map: Option<Map>, (): &()) -> Result<Arc<Self>, ConfigError> {
+    fn lay(
+        document: &Document<'_>,
+        map: Option<Map>,
+        (): &(),
+        SiteExtensions {}: SiteExtensions,
+    ) -> Result<Arc<Self>, ConfigError> {
         let scenario = ExploreScenario::from_document(document)?;
         let around_m = scenario.team.spawns_m.first().copied().unwrap_or_default();
         let map = match map {
