@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use uchain_core::explore::{
     EdgeRule, ExploreParams, Explorer, Label, Message, NodeId, NodeReport, Observation, Point, Pose, Purpose,
-    Sector, SpentReport, Ssg, Strategy as Chooser, Target,
+    Sector, SpentReport, Ssg, StrategyKind as Chooser, Target,
 };
 
 /// Any float, or one as robots use them.
@@ -60,7 +60,7 @@ proptest! {
         arc_ends in any::<bool>(), draws in any::<u32>(),
     ) {
         let params = ExploreParams {
-            strategy: [Chooser::Cssg, Chooser::CssgRandom, Chooser::Srg][strategy],
+            strategy: [Chooser::CSSG, Chooser::CSSG_RANDOM, Chooser::SRG][strategy],
             edges: if eq8 { EdgeRule::Eq8 } else { EdgeRule::Visible },
             arc_ends,
             nodes_max: 40,

@@ -2,27 +2,29 @@
 
 use std::collections::BTreeMap;
 
-use uchain_core::explore::{EdgeRule, ExploreParams, NodeId, Point, Purpose, Ssg, Strategy, Taken, Target};
+use uchain_core::explore::{
+    EdgeRule, ExploreParams, NodeId, Point, Purpose, Ssg, StrategyKind, Taken, Target,
+};
 
 use super::{
     rooms::{apartment, cell, corridors, rooms},
     team::Team,
 };
 
-fn by(strategy: Strategy) -> ExploreParams {
+fn by(strategy: StrategyKind) -> ExploreParams {
     ExploreParams { strategy, ..ExploreParams::default() }
 }
 
 #[test]
 fn every_strategy_ends_with_no_frontier_left_and_all_robots_home() {
     let world = rooms();
-    for strategy in Strategy::ALL {
+    for strategy in StrategyKind::BUILTIN {
         for robots in 1..=3 {
             for seed in 0..30 {
                 let team = Team::new(&world, &by(strategy), robots, seed).run();
                 assert_eq!(team.stores[0].hubs().count(), 0, "{strategy:?}, {robots} robots, seed {seed}");
                 assert!(team.edges_clear_m() > 0.1 - 1e-5, "an edge of the graph touches a wall");
-                let otherwise = if strategy == Strategy::Srg { team.tally.mfl } else { team.tally.holds };
+                let otherwise = if strategy == StrategyKind::SRG { team.tally.mfl } else { team.tally.holds };
                 assert_eq!(otherwise, 0, "robots of {strategy:?} hold, or fly on levels, but not both");
             }
         }
@@ -34,10 +36,10 @@ fn every_strategy_ends_with_no_frontier_left_and_all_robots_home() {
 fn three_robots_need_about_as_many_rounds_for_an_apartment_as_published() {
     let world = apartment();
     for seed in 0..5 {
-        let team = Team::new(&world, &by(Strategy::Cssg), 3, seed).run();
+        let team = Team::new(&world, &by(StrategyKind::CSSG), 3, seed).run();
         assert!((70..=100).contains(&team.tally.rounds), "seed {seed}: {} rounds", team.tally.rounds);
         assert!(team.edges_clear_m() > 0.1 - 1e-5);
-        let seen = world.coverage(&team.nodes(), &by(Strategy::Cssg));
+        let seen = world.coverage(&team.nodes(), &by(StrategyKind::CSSG));
         assert!(seen > 0.99, "seed {seed}: {seen}");
     }
 }
@@ -45,7 +47,7 @@ fn three_robots_need_about_as_many_rounds_for_an_apartment_as_published() {
 #[test]
 fn five_robots_see_all_of_an_apartment_and_of_corridors_whatever_the_strategy() {
     for world in [apartment(), corridors()] {
-        for strategy in Strategy::ALL {
+        for strategy in StrategyKind::BUILTIN {
             let team = Team::new(&world, &by(strategy), 5, 7).run();
             let seen = world.coverage(&team.nodes(), &by(strategy));
             assert!(seen > 0.99, "{strategy:?}: {seen}");
@@ -66,7 +68,7 @@ fn content(store: &Ssg) -> BTreeMap<NodeId, String> {
 #[test]
 fn robots_that_share_a_store_and_robots_with_a_copy_each_do_the_same() {
     let world = rooms();
-    for strategy in Strategy::ALL {
+    for strategy in StrategyKind::BUILTIN {
         for edges in [EdgeRule::Visible, EdgeRule::Eq8] {
             let params = ExploreParams { edges, ..by(strategy) };
             for seed in 0..5 {
@@ -91,12 +93,12 @@ fn with_a_wall_at_exactly_the_range_or_a_little_nearer_or_farther_it_ends() {
     // 0.125 and 1.125 are exact in f32, so that 1 m is 1 m.
     let params = |strategy| ExploreParams { r_body_m: 0.125, nodes_max: 200, ..by(strategy) };
     let middle = Point { x_m: 1.125, y_m: 1.125 };
-    let returns_m = cell(1.0, 0.125).scan(middle, &params(Strategy::Cssg));
+    let returns_m = cell(1.0, 0.125).scan(middle, &params(StrategyKind::CSSG));
     assert_eq!((returns_m[0], returns_m[4]), (Some(1.0), Some(1.0)));
     let around = [1.0 - 1e-6, 1.0, 1.0 + 1e-6];
     for free_m in (0..=60).map(|i| 0.9 + f64::from(i) * 0.02).chain(around) {
         let world = cell(free_m, 0.125);
-        for strategy in Strategy::ALL {
+        for strategy in StrategyKind::BUILTIN {
             for seed in 0..3 {
                 let team = Team::new(&world, &params(strategy), 1, seed).at_starts().run();
                 let rounds = team.tally.rounds;
@@ -110,7 +112,7 @@ fn with_a_wall_at_exactly_the_range_or_a_little_nearer_or_farther_it_ends() {
 #[test]
 fn with_poses_known_to_2_cm_it_ends_too_and_no_robot_comes_through_a_wall() {
     let world = rooms();
-    for strategy in Strategy::ALL {
+    for strategy in StrategyKind::BUILTIN {
         for seed in 0..10 {
             let team = Team::new(&world, &by(strategy), 3, seed).with_noise(0.02).run();
             assert!(!team.stores[0].has_hubs(), "{strategy:?}, seed {seed}");

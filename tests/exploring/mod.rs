@@ -1,6 +1,7 @@
 //! Explorations end at home, with everything seen and nothing touched.
 
 mod invariants;
+mod own_strategy;
 mod passages;
 mod paths;
 mod real_maps;

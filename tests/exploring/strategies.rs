@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use uchain_core::explore::Strategy;
+use uchain_core::explore::StrategyKind;
 use uchain_sim::{
     analyse::Estimate,
     config::builtin,
@@ -21,7 +21,7 @@ const SEEDS: u64 = 20;
 
 /// All explorations of a map, strategy by strategy and team by team.
 fn explored(map: &str, robots: &str) -> Vec<Vec<ExploreSummary>> {
-    let strategies = Strategy::ALL.map(Strategy::word).join(",");
+    let strategies = StrategyKind::BUILTIN.map(StrategyKind::word).join(",");
     let vary = vec![format!("explore.strategy={strategies}"), format!("explore.robots={robots}")];
     let design = Design::parse(&DesignText { vary, table: None }, "").unwrap();
     let sweep = Sweep::new(builtin(map).unwrap(), Vec::new(), design, SEEDS, 1).unwrap();

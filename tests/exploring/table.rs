@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use std::fmt::Write as _;
 
-use uchain_core::explore::Strategy;
+use uchain_core::explore::StrategyKind;
 use uchain_sim::mission::{
     Stopped,
     explore::{ExploreSummary, Site},
@@ -128,7 +128,7 @@ fn all_explorations_end_at_home_with_nothing_touched_and_cooperation_pays() {
         let which = format!("{scenario} {strategy:?} {robots} robots, seed {seed}");
         assert_eq!((run.stopped, run.hubs_left), (Some(Stopped::Explored), 0), "{which}");
         assert_eq!((run.wall_contacts, run.robot_contacts), (0, 0), "{which}");
-        assert!(*strategy != Strategy::Cssg || run.coverage >= 0.99, "{which}: {}", run.coverage);
+        assert!(*strategy != StrategyKind::CSSG || run.coverage >= 0.99, "{which}: {}", run.coverage);
     }
     // What flight levels save over holding (`cssg-random` over `srg`) is in the table, for it is not always a saving.
     for (map, name) in MAPS.iter().enumerate() {

@@ -4,13 +4,13 @@ mod decide;
 #[cfg(test)]
 mod tests;
 
-use alloc::{vec, vec::Vec};
+use alloc::{boxed::Box, vec, vec::Vec};
 
 use decide::{End, Leg, spend};
 
 use super::{
     Command, Dijkstra, ExploreParams, Mate, Message, NodeId, NodeReport, Observation, Pose, Purpose, Refusal,
-    Ruling, Sector, Ssg, Target, rule,
+    Ruling, Sector, Ssg, Strategy, Target, rule,
 };
 
 /// The brain of one robot.
@@ -43,6 +43,8 @@ pub struct Explorer {
     nodes: u32,
     mates: Vec<Mate>,
     routes: Dijkstra,
+    /// Made by its first decision, by the parameters of the store.
+    strategy: Option<Box<dyn Strategy>>,
 }
 
 impl Explorer {
@@ -58,6 +60,7 @@ impl Explorer {
             nodes: 0,
             mates: vec![Mate::default(); usize::from(robots)],
             routes: Dijkstra::default(),
+            strategy: None,
         }
     }
 

@@ -23,7 +23,7 @@ pub struct Ruling {
 /// before it in conflict keeps the same; otherwise it takes the first of lowest, highest, middle and added levels
 /// that no robot in conflict with it has. Robots in conflict are thus never given the same level.
 ///
-/// Where robots hold ([`Strategy::holds`](super::Strategy::holds)), of two moving ones the later stays; what is left
+/// Where robots hold ([`StrategyKind::holds`](super::StrategyKind::holds)), of two moving ones the later stays; what is left
 /// of conflicts is flown past on levels.
 pub fn rule(targets: &[Target], params: &ExploreParams) -> Vec<Ruling> {
     let near_m = params.conflict_m();

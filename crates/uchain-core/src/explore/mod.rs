@@ -14,7 +14,8 @@
 //! The first two say something: whatever is in `said` goes to every robot in range, into [`Explorer::hear`] and
 //! [`Ssg::apply`]. The speaker has taken it in already; taking it in again changes nothing.
 //!
-//! Which frontier, which hub: that is a [`Strategy`], a function of a [`View`] to a [`Goal`].
+//! Which frontier, which hub: that is a [`Strategy`], from a [`View`] to a [`Goal`]. Its [`StrategyKind`] is a value of
+//! [`ExploreParams`].
 
 mod explorer;
 mod levels;
@@ -30,4 +31,7 @@ pub use seam::{
     Command, Message, NodeId, NodeReport, Observation, Point, Pose, Purpose, SpentReport, Target,
 };
 pub use ssg::{Cones, Dijkstra, EdgeRule, Graph, Hub, Label, Refusal, Run, Sector, Ssg, Star, runs};
-pub use strategy::{Candidate, Goal, Mate, Strategy, Taken, View};
+pub use strategy::{
+    Candidate, CloneStrategy, Cssg, Goal, Mate, NearestFrontier, RandomFrontier, Strategy, StrategyKind,
+    Taken, Utility, View,
+};

@@ -1,6 +1,6 @@
 //! Every number of an exploration (Kim 2021, §7.2).
 
-use super::{EdgeRule, Strategy, Taken};
+use super::{EdgeRule, StrategyKind, Taken};
 
 crate::params! {
     /// How a team explores. All robots of a team fly by the same.
@@ -9,7 +9,7 @@ crate::params! {
     pub struct ExploreParams {
         /// Who chooses where to fly, and what robots do that would meet.
         /// - Source: Kim 2021, §7.2
-        pub strategy: Strategy = Strategy::Cssg;
+        pub strategy: StrategyKind = StrategyKind::CSSG;
         /// Equal sectors of a star; sector 0 begins at the map's x axis.
         /// - Symbol: `I_max`
         /// - Source: Kim 2021, §7.2

@@ -36,6 +36,8 @@ impl Explorer {
     ) -> Option<Leg> {
         let node = self.here?;
         let here = ssg.slot(node)?;
+        let params = ssg.params();
+        let strategy = self.strategy.get_or_insert_with(|| params.strategy.make(params));
         // Every candidate that is refused spends an arc of this node.
         for _ in 0..=ssg.cones().count() {
             let mut view = View {
@@ -48,7 +50,7 @@ impl Explorer {
                 routes: &mut self.routes,
                 draw,
             };
-            let goal = if ssg.is_full() { Goal::Home } else { ssg.params().strategy.goal(&mut view) };
+            let goal = if ssg.is_full() { Goal::Home } else { strategy.goal(&mut view) };
             match goal {
                 Goal::Frontier(c) if !c.at.is_sound() || ssg.is_crowded(c.at) => {
                     spend(ssg, node, c.sectors, said);

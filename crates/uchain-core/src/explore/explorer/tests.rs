@@ -2,7 +2,7 @@ use alloc::{vec, vec::Vec};
 
 use super::*;
 use crate::explore::{
-    Label, Point, Strategy,
+    Label, Point, StrategyKind,
     ssg::tests::{id, node, point, scan},
 };
 
@@ -178,7 +178,7 @@ fn a_scan_of_another_size_and_a_robot_of_another_team_are_errors() {
 
 #[test]
 fn what_it_hears_of_itself_or_of_nobody_changes_nothing() {
-    let mut lone = Lone::new(ExploreParams { strategy: Strategy::Srg, ..ExploreParams::default() });
+    let mut lone = Lone::new(ExploreParams { strategy: StrategyKind::SRG, ..ExploreParams::default() });
     let target = Target {
         robot: 0,
         purpose: Purpose::Explore,

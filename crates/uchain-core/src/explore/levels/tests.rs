@@ -58,7 +58,7 @@ fn who_stays_is_passed_and_who_is_out_of_reach_is_not() {
 
 #[test]
 fn where_robots_hold_the_later_of_two_moving_ones_does_and_is_passed_without_counting() {
-    let params = ExploreParams { strategy: explore::Strategy::Srg, ..ExploreParams::default() };
+    let params = ExploreParams { strategy: explore::StrategyKind::SRG, ..ExploreParams::default() };
     let ruled = |moves: &[_]| rule(&fresh(moves), &params);
     let (left, right, middle) = ([-0.8, 0.0], [0.8, 0.0], [0.0, 0.0]);
     let both = ruled(&[(left, middle), (right, middle)]);
@@ -111,7 +111,7 @@ proptest! {
     fn nobody_is_on_the_level_of_one_it_would_meet_and_nobody_leaves_the_usual_one_for_nothing(
         moves in prop::collection::vec((place(), place(), 0..4_u16), 1..12), holds in any::<bool>(),
     ) {
-        let strategy = if holds { explore::Strategy::Srg } else { explore::Strategy::Cssg };
+        let strategy = if holds { explore::StrategyKind::SRG } else { explore::StrategyKind::CSSG };
         let params = ExploreParams { strategy, ..ExploreParams::default() };
         let mut targets: Vec<Target> =
             (0..).zip(&moves).map(|(i, &(from, to, level))| target(i, from, to, level)).collect();

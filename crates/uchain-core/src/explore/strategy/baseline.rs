@@ -1,11 +1,16 @@
 //! The random choice that STN is compared with (Kim 2021, §7.2).
 
-use super::{Candidate, Goal, View};
+use super::{Candidate, Goal, Strategy, View};
 use crate::explore::{Label, Run, Sector};
 
-/// A random frontier here, else the nearest hub.
-pub(super) fn goal(view: &mut View<'_>) -> Goal {
-    random(view).map_or_else(|| view.backtrack(), Goal::Frontier)
+/// A random frontier here, else the nearest hub (Kim 2021, §7.2).
+#[derive(Debug, Clone, Copy, Default)]
+pub struct RandomFrontier;
+
+impl Strategy for RandomFrontier {
+    fn goal(&mut self, view: &mut View<'_>) -> Goal {
+        random(view).map_or_else(|| view.backtrack(), Goal::Frontier)
+    }
 }
 
 /// A uniformly random frontier sector here; `None` without one.

@@ -2,66 +2,50 @@
 
 mod baseline;
 mod comparators;
+mod kind;
 mod target;
 #[cfg(test)]
 mod tests;
 
-pub use target::Taken;
+use alloc::boxed::Box;
+use core::fmt::Debug;
+
+pub use baseline::RandomFrontier;
+pub use comparators::{NearestFrontier, Utility};
+pub use kind::StrategyKind;
+pub use target::{Cssg, Taken};
 
 use super::{
     Dijkstra, ExploreParams, NodeId, Point, Pose, Run, Sector, Ssg, Target, runs, ssg::middle_sectors,
 };
 
-/// How goals are chosen, and what robots do that would meet.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Strategy {
-    /// Cooperative Sensor-based Selective Graph: STN, backtracking by graph, levels (Kim 2021, Algorithm 2).
-    #[default]
-    Cssg,
-    /// The same with a random frontier instead of STN (Kim 2021, §7.2).
-    CssgRandom,
-    /// Sensor-based Random Graph: a random frontier, backtracking by graph, and of two robots that would meet one
-    /// holds (Kim 2021, §7.2).
-    Srg,
-    /// The frontier with the shortest way, whoever found it; conflicts as in `cssg` (Yamauchi 1997).
-    NearestFrontier,
-    /// The frontier of the largest utility: length of its arc, as far as others will not see it, minus `utility_beta`
-    /// times the way there; conflicts as in `cssg` (after Burgard 2005).
-    Utility,
+/// Where one robot flies from a node, decided from all that it knows. It may remember what it has decided: every robot
+/// has its own. The same decisions from the same views are what makes a run repeatable, so whatever is random is drawn
+/// from [`View::draw`].
+///
+/// [`Cssg`], [`RandomFrontier`], [`NearestFrontier`] and [`Utility`] are built in. A program's own gets its word in
+/// scenarios by a [`StrategyKind`].
+pub trait Strategy: CloneStrategy + Debug + Send + Sync {
+    /// Where to go from a node. A place for a new node that is refused, because a node stands there, is spent, and the
+    /// robot asks again.
+    fn goal(&mut self, view: &mut View<'_>) -> Goal;
 }
 
-impl Strategy {
-    /// All of them, in the order of their declaration.
-    pub const ALL: [Self; 5] =
-        [Self::Cssg, Self::CssgRandom, Self::Srg, Self::NearestFrontier, Self::Utility];
+/// Copies of a boxed strategy, memory and all: every [`Strategy`] that is [`Clone`] has them.
+pub trait CloneStrategy {
+    /// A copy.
+    fn boxed(&self) -> Box<dyn Strategy>;
+}
 
-    /// Its word in a scenario file.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Cssg => "cssg",
-            Self::CssgRandom => "cssg-random",
-            Self::Srg => "srg",
-            Self::NearestFrontier => "nearest-frontier",
-            Self::Utility => "utility",
-        }
+impl<T: Strategy + Clone + 'static> CloneStrategy for T {
+    fn boxed(&self) -> Box<dyn Strategy> {
+        Box::new(self.clone())
     }
+}
 
-    /// Where to go from a node, from all that the robot knows.
-    pub fn goal(self, view: &mut View<'_>) -> Goal {
-        match self {
-            Self::Cssg => target::goal(view),
-            Self::CssgRandom | Self::Srg => baseline::goal(view),
-            Self::NearestFrontier => comparators::nearest(view),
-            Self::Utility => comparators::utility(view),
-        }
-    }
-
-    /// Whether robots in conflict hold for one another instead of flying on levels (Kim 2021, §6.2).
-    pub fn holds(self) -> bool {
-        matches!(self, Self::Srg)
+impl Clone for Box<dyn Strategy> {
+    fn clone(&self) -> Self {
+        (**self).boxed()
     }
 }
 
@@ -145,7 +129,7 @@ pub struct View<'a> {
     pub draw: &'a mut dyn FnMut() -> u32,
 }
 
-impl core::fmt::Debug for View<'_> {
+impl Debug for View<'_> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_struct("View").field("robot", &self.robot).field("here", &self.here).finish_non_exhaustive()
     }

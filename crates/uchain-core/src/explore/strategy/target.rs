@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 use core::f32::consts::{PI, TAU};
 
-use super::{Candidate, Goal, Mate, View};
+use super::{Candidate, Goal, Mate, Strategy, View};
 use crate::explore::{Point, Purpose};
 
 /// What targets that others have announced this round are to a choice.
@@ -23,16 +23,21 @@ pub enum Taken {
     Left,
 }
 
-/// The best frontier here, else the nearest hub.
-pub(super) fn goal(view: &mut View<'_>) -> Goal {
-    let leave = view.params().taken == Taken::Left;
-    if let Some(candidate) = selective(view, leave) {
-        return Goal::Frontier(candidate);
-    }
-    match view.backtrack() {
-        // Rather together than not at all.
-        Goal::Home => selective(view, false).map_or(Goal::Home, Goal::Frontier),
-        hub => hub,
+/// Selective target nodes (Kim 2021, §6.1.2): the best frontier here, else the nearest hub.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Cssg;
+
+impl Strategy for Cssg {
+    fn goal(&mut self, view: &mut View<'_>) -> Goal {
+        let leave = view.params().taken == Taken::Left;
+        if let Some(candidate) = selective(view, leave) {
+            return Goal::Frontier(candidate);
+        }
+        match view.backtrack() {
+            // Rather together than not at all.
+            Goal::Home => selective(view, false).map_or(Goal::Home, Goal::Frontier),
+            hub => hub,
+        }
     }
 }
 

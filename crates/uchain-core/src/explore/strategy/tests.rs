@@ -56,7 +56,8 @@ impl Scene {
     }
 
     pub(super) fn goal(&mut self) -> Goal {
-        let strategy = self.ssg.params().strategy;
+        let params = self.ssg.params();
+        let mut strategy = params.strategy.make(params);
         self.view(|view| strategy.goal(view))
     }
 
@@ -123,7 +124,7 @@ fn of_two_robots_at_one_node_the_second_takes_what_the_first_has_left_if_it_heed
 
 #[test]
 fn a_random_frontier_sector_is_any_of_them_alike() {
-    let params = ExploreParams { strategy: Strategy::CssgRandom, ..ExploreParams::default() };
+    let params = ExploreParams { strategy: StrategyKind::CSSG_RANDOM, ..ExploreParams::default() };
     let mut scene = Scene::new(params, "5!!555555555!55555");
     let mut drawn = |bits| {
         scene.draws = vec![bits];
@@ -221,7 +222,7 @@ proptest! {
         scene.ssg.apply(&Message::Node(report)).unwrap();
         let chosen = scene.view(|view| {
             view.here = 1;
-            Strategy::Cssg.goal(view)
+            Cssg.goal(view)
         });
         if let Goal::Frontier(candidate) = chosen {
             prop_assert!(candidate.at.is_sound() && candidate.direction_rad.is_finite());

@@ -8,7 +8,7 @@ use toml::{
     de::{DeTable, DeValue, ValueDeserializer},
 };
 use uchain_core::{
-    explore::ExploreParams,
+    explore::{ExploreParams, StrategyKind},
     params::{Key, OutOfRange},
 };
 
@@ -16,7 +16,13 @@ use crate::config::{
     Check, Choices, ConfigError, DURATION_MAX_S, Document, Heading, Keys, KnownKeys, MapConfig, Source,
     TICK_S, explain_error as explain,
 };
-use crate::world::QuadrotorParams;
+use crate::{
+    mission::{
+        Scene as _,
+        explore::{Site, SiteExtensions},
+    },
+    world::QuadrotorParams,
+};
 
 /// What is said of a key of a chain in an exploration.
 const BELONGS_TO_A_CHAIN: &str =
@@ -36,6 +42,9 @@ const EXPLORE: Key = Key {
           tables behind them.",
 };
 
+/// The key of `[explore]` whose words a program can add to.
+const STRATEGY: &str = "strategy";
+
 /// Keys of an exploration's scenario.
 pub(crate) const KEYS: Keys = Keys {
     marker: Some(EXPLORE.name),
@@ -53,10 +62,16 @@ pub(crate) static KNOWN: LazyLock<KnownKeys> = LazyLock::new(|| KnownKeys::of(&[
 
 /// An exploration's scenario as JSON Schema.
 #[cfg(feature = "schema")]
-pub(crate) fn schema() -> serde_json::Value {
+pub(crate) fn schema(extensions: SiteExtensions) -> serde_json::Value {
     use crate::config::help::{schema_of, schema_with_table};
 
-    schema_with_table(&EXPLORE, [schema_of::<TeamConfig>(), schema_of::<ExploreParams>()])
+    let mut params = schema_of::<ExploreParams>();
+    if let Some(words) = params["properties"][STRATEGY]["oneOf"].as_array_mut() {
+        words.extend(extensions.strategies.iter().map(
+            |own| serde_json::json!({ "type": "string", "const": own.word(), "description": own.meaning() }),
+        ));
+    }
+    schema_with_table(&EXPLORE, [schema_of::<TeamConfig>(), params])
 }
 
 /// One exploration of one map. In the file, [`TeamConfig`] and [`ExploreParams`] are one table, `[explore]`.
@@ -154,7 +169,7 @@ impl ExploreScenario {
     /// # Errors
     /// The first thing found wrong, with its place.
     pub fn parse(source: &Source, sets: &[String]) -> Result<Self, ConfigError> {
-        Self::from_document(&Document::parse(source, sets, &KNOWN)?)
+        Self::from_document(&Document::parse(source, sets, &KNOWN)?, Site::BUILTIN)
     }
 
     /// The whole scenario in TOML: every value it has, whether written, set or by default. Read again it is the same
@@ -195,25 +210,33 @@ impl ExploreScenario {
         })
     }
 
-    pub(crate) fn from_document(document: &Document<'_>) -> Result<Self, ConfigError> {
-        let scenario = Self::unchecked(document)?;
+    pub(crate) fn from_document(
+        document: &Document<'_>,
+        extensions: SiteExtensions,
+    ) -> Result<Self, ConfigError> {
+        let scenario = Self::unchecked(document, extensions)?;
         scenario.check(document)?;
         Ok(scenario)
     }
 
     /// With values of the right types, whatever they are.
-    pub(crate) fn unchecked(document: &Document<'_>) -> Result<Self, ConfigError> {
+    pub(crate) fn unchecked(
+        document: &Document<'_>,
+        extensions: SiteExtensions,
+    ) -> Result<Self, ConfigError> {
         if let Some(key) = CHAIN_ONLY.iter().find(|key| document.has(key)) {
             return Err(document.invalid(key, "{ … }", BELONGS_TO_A_CHAIN));
         }
         let [heading, table] = document.without(EXPLORE.name);
-        let [team, params] = split(table);
+        let [team, mut params] = split(table);
+        let own = own_strategy(&mut params, document, extensions)?;
         let heading =
             Heading::deserialize(ValueDeserializer::from(heading)).map_err(|e| explain(&e, document))?;
         let team =
             TeamConfig::deserialize(ValueDeserializer::from(team)).map_err(|e| explain(&e, document))?;
-        let params = ExploreParams::deserialize(ValueDeserializer::from(params))
-            .map_err(|error| with_team_keys(explain(&error, document)))?;
+        let mut params = ExploreParams::deserialize(ValueDeserializer::from(params))
+            .map_err(|error| with_own_words(with_team_keys(explain(&error, document)), extensions))?;
+        params.strategy = own.unwrap_or(params.strategy);
         let Heading { name, description, duration_s, map } = heading;
         Ok(Self { name, description, duration_s, map, team, params })
     }
@@ -268,6 +291,37 @@ fn split(mut params: Spanned<DeValue<'_>>) -> [Spanned<DeValue<'_>>; 2] {
         }
     }
     [team, params]
+}
+
+/// The strategy of the program's own that `[explore]` names, taken out of it: the word means nothing to whoever reads the
+/// rest.
+fn own_strategy(
+    params: &mut Spanned<DeValue<'_>>,
+    document: &Document<'_>,
+    extensions: SiteExtensions,
+) -> Result<Option<StrategyKind>, ConfigError> {
+    let DeValue::Table(params) = params.get_mut() else { return Ok(None) };
+    let word = params.get(STRATEGY).and_then(|value| value.get_ref().as_str());
+    let own = word.and_then(|word| extensions.strategies.iter().find(|own| own.word() == word));
+    let Some(own) = own else { return Ok(None) };
+    if extensions.strategy_words().filter(|word| *word == own.word()).count() > 1 {
+        let (key, got) = (format!("explore.{STRATEGY}"), format!("\"{}\"", own.word()));
+        return Err(document.invalid(&key, &got, "this program gives the word to more than one strategy"));
+    }
+    params.remove(STRATEGY);
+    Ok(Some(*own))
+}
+
+/// A word that is no strategy could stand for one of the program's own as well.
+fn with_own_words(error: ConfigError, extensions: SiteExtensions) -> ConfigError {
+    match error {
+        ConfigError::UnknownChoice { at, key, got, .. } if key == format!("explore.{STRATEGY}") => {
+            let known = extensions.strategy_words().map(str::to_owned).collect();
+            let choices = Box::new(Choices::for_word(&got, known));
+            ConfigError::UnknownChoice { at, key, got, choices }
+        }
+        other => other,
+    }
 }
 
 /// A key of `[explore]` that neither knows could stand for one of either.

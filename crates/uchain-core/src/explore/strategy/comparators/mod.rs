@@ -6,21 +6,26 @@ mod tests;
 
 use core::f32::consts::TAU;
 
-use super::{Candidate, Goal, Point, Run, Ssg, Taken, View, target::is_taken, target::turn_rad};
+use super::{Candidate, Goal, Point, Run, Ssg, Strategy, Taken, View, target::is_taken, target::turn_rad};
 use crate::explore::runs;
 
 /// The frontier with the shortest way (Yamauchi 1997): one of the node the robot is at, that of the least turn, else
 /// the nearest node with one.
-pub(super) fn nearest(view: &mut View<'_>) -> Goal {
-    let leave = view.params().taken == Taken::Left;
-    if let Some(candidate) = least_turn(view, leave) {
-        return Goal::Frontier(candidate);
-    }
-    let (ssg, here) = (view.ssg, view.here);
-    match view.nearest(|slot| slot != here && ssg.is_hub(slot)) {
-        Some(hub) => Goal::Node(hub),
-        // Rather together than not at all.
-        None => least_turn(view, false).map_or(Goal::Home, Goal::Frontier),
+#[derive(Debug, Clone, Copy, Default)]
+pub struct NearestFrontier;
+
+impl Strategy for NearestFrontier {
+    fn goal(&mut self, view: &mut View<'_>) -> Goal {
+        let leave = view.params().taken == Taken::Left;
+        if let Some(candidate) = least_turn(view, leave) {
+            return Goal::Frontier(candidate);
+        }
+        let (ssg, here) = (view.ssg, view.here);
+        match view.nearest(|slot| slot != here && ssg.is_hub(slot)) {
+            Some(hub) => Goal::Node(hub),
+            // Rather together than not at all.
+            None => least_turn(view, false).map_or(Goal::Home, Goal::Frontier),
+        }
     }
 }
 
@@ -37,23 +42,28 @@ fn least_turn(view: &View<'_>, leave: bool) -> Option<Candidate> {
 /// The frontier of the largest utility (after Burgard 2005): the length of its arc, less what others who have said they
 /// fly near it will see of it, minus `utility_beta` times the way there. A robot on its way to a node goes on to it as
 /// long as that has a frontier, and takes one of its frontiers then: what others announce meanwhile turns nobody round.
-pub(super) fn utility(view: &mut View<'_>) -> Goal {
-    let (ssg, here) = (view.ssg, view.here);
-    let committed = view.previous.and_then(|id| ssg.slot(id)).filter(|&slot| ssg.is_hub(slot));
-    match committed {
-        // A way that led there still does: edges are only added.
-        Some(hub) if hub != here => return Goal::Node(hub),
-        _ => {}
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Utility;
+
+impl Strategy for Utility {
+    fn goal(&mut self, view: &mut View<'_>) -> Goal {
+        let (ssg, here) = (view.ssg, view.here);
+        let committed = view.previous.and_then(|id| ssg.slot(id)).filter(|&slot| ssg.is_hub(slot));
+        match committed {
+            // A way that led there still does: edges are only added.
+            Some(hub) if hub != here => return Goal::Node(hub),
+            _ => {}
+        }
+        let own = best(view, here, view.params().taken == Taken::Left);
+        if let (Some((_, candidate)), true) = (own, committed.is_some()) {
+            return Goal::Frontier(candidate);
+        }
+        if let Some(hub) = elsewhere(view, own.map(|(utility_m, _)| utility_m)) {
+            return Goal::Node(hub);
+        }
+        // Rather together than not at all.
+        own.or_else(|| best(view, here, false)).map_or(Goal::Home, |(_, candidate)| Goal::Frontier(candidate))
     }
-    let own = best(view, here, view.params().taken == Taken::Left);
-    if let (Some((_, candidate)), true) = (own, committed.is_some()) {
-        return Goal::Frontier(candidate);
-    }
-    if let Some(hub) = elsewhere(view, own.map(|(utility_m, _)| utility_m)) {
-        return Goal::Node(hub);
-    }
-    // Rather together than not at all.
-    own.or_else(|| best(view, here, false)).map_or(Goal::Home, |(_, candidate)| Goal::Frontier(candidate))
 }
 
 /// The best frontier of a node and its utility without the way to the node (m).

@@ -1,7 +1,7 @@
 //! The numbers an exploration is judged by.
 
 use serde::Serialize;
-use uchain_core::explore::Strategy;
+use uchain_core::explore::StrategyKind;
 
 use crate::mission::explore::{Gap, Unseen};
 use crate::{
@@ -20,7 +20,7 @@ pub struct ExploreSummary {
     /// The seed.
     pub seed: u64,
     /// Who chose where to fly.
-    pub strategy: Strategy,
+    pub strategy: StrategyKind,
     /// Robots.
     pub robots: u16,
     /// What flew.

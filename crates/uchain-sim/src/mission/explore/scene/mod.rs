@@ -113,31 +113,32 @@ impl Scene for Site {
     type Mission = Exploration;
     type Shared = ();
     type Extensions = SiteExtensions;
-    const BUILTIN: SiteExtensions = SiteExtensions {};
+    const BUILTIN: SiteExtensions = SiteExtensions { strategies: &[] };
     const KIND: &'static str = "an exploration";
     const ROBOT: &'static str = "robot";
     const KEYS: &'static Keys = &KEYS;
 
-    fn describe(document: &Document<'_>, _: SiteExtensions) -> Result<[String; 2], ConfigError> {
-        ExploreScenario::from_document(document).map(|scenario| [scenario.name, scenario.description])
+    fn describe(document: &Document<'_>, extensions: SiteExtensions) -> Result<[String; 2], ConfigError> {
+        let scenario = ExploreScenario::from_document(document, extensions)?;
+        Ok([scenario.name, scenario.description])
     }
 
     #[cfg(feature = "schema")]
-    fn schema(_: SiteExtensions) -> serde_json::Value {
-        super::config::schema()
+    fn schema(extensions: SiteExtensions) -> serde_json::Value {
+        super::config::schema(extensions)
     }
 
-    fn takes(document: &Document<'_>, _: SiteExtensions) -> bool {
-        ExploreScenario::unchecked(document).is_ok()
+    fn takes(document: &Document<'_>, extensions: SiteExtensions) -> bool {
+        ExploreScenario::unchecked(document, extensions).is_ok()
     }
 
     fn lay(
         document: &Document<'_>,
         map: Option<Map>,
         (): &(),
-        SiteExtensions {}: SiteExtensions,
+        extensions: SiteExtensions,
     ) -> Result<Arc<Self>, ConfigError> {
-        let scenario = ExploreScenario::from_document(document)?;
+        let scenario = ExploreScenario::from_document(document, extensions)?;
         let around_m = scenario.team.spawns_m.first().copied().unwrap_or_default();
         let map = match map {
             Some(map) => map,

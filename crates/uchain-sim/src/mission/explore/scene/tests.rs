@@ -55,7 +55,7 @@ fn what_is_wrong_with_an_exploration_is_said_with_its_place_and_its_numbers() {
 
 #[test]
 fn every_strategy_has_its_word() {
-    for strategy in uchain_core::explore::Strategy::ALL {
+    for strategy in uchain_core::explore::StrategyKind::BUILTIN {
         let site = Site::read(&room(), &[format!("explore.strategy={}", strategy.word())]).unwrap();
         assert_eq!(site.scenario.params.strategy, strategy);
     }
