@@ -47,7 +47,6 @@ const OWN: SiteExtensions = SiteExtensions {
         StrategyKind::new("my-holding", "As `cssg`, but robots hold.", |_| Box::new(Same(Cssg))).holding(),
         StrategyKind::new("in-turns", "Now this way, now that.", |_| Box::<InTurns>::default()),
     ],
-    ..Site::BUILTIN
 };
 
 static MISSIONS: [&dyn AnyMission; 2] = [&Of::<Course>::NEW, &Of::<Site>::with(OWN)];
@@ -143,7 +142,6 @@ fn a_slip_in_its_word_is_hinted_at_and_a_word_that_nobody_knows_is_refused() {
 fn a_word_that_means_two_strategies_is_refused() {
     const TWICE: SiteExtensions = SiteExtensions {
         strategies: &[StrategyKind::new("srg", "Not that one.", |_| Box::new(Cssg))],
-        ..Site::BUILTIN
     };
     let read = |word: &str| {
         Site::read_with(&builtin("apartment").unwrap(), &[format!("explore.strategy={word}")], TWICE)
