@@ -1,5 +1,5 @@
 //! Every example that README, docs and help show: each command line is run, each option and key looked up, each field
-//! of a table found in the file it is said to be in.
+//! of a table found in the file it is said to be in, and each link to another page followed.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -24,15 +24,22 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// README and everything in docs.
+/// README and every page in docs and the folders in it, named by the path from the root.
 fn documents() -> Vec<Text> {
-    let docs = fs::read_dir(root().join("docs")).unwrap().map(|entry| entry.unwrap().path());
-    let pages = docs.filter(|path| path.extension().is_some_and(|end| end == "md"));
-    let read = |path: PathBuf| Text {
-        name: path.file_name().unwrap().to_str().unwrap().to_owned(),
-        text: fs::read_to_string(path).unwrap(),
-    };
-    let mut documents: Vec<Text> = [root().join("README.md")].into_iter().chain(pages).map(read).collect();
+    fn read(root: &Path, page: &str, into: &mut Vec<Text>) {
+        let path = root.join(page);
+        if path.is_dir() {
+            for entry in fs::read_dir(&path).unwrap() {
+                read(root, &format!("{page}/{}", entry.unwrap().file_name().to_str().unwrap()), into);
+            }
+        } else if path.extension().is_some_and(|end| end == "md") {
+            into.push(Text { name: page.to_owned(), text: fs::read_to_string(path).unwrap() });
+        }
+    }
+    let mut documents = Vec::new();
+    for page in ["README.md", "docs"] {
+        read(&root(), page, &mut documents);
+    }
     documents.sort_by(|a, b| a.name.cmp(&b.name));
     documents
 }
@@ -100,6 +107,9 @@ const STANDS_IN: &[(&str, &str)] = &[
         "cargo",
         r#"case "$*" in
             "run --release -- "*) shift 3; exec uchain "$@" ;;
+            "run --release --example "*) test -f "$PROJECT/examples/$4.rs" ;;
+            "install --path "*) test -f "$PROJECT/$3/src/main.rs" ;;
+            "doc --open -p "*) test -f "$PROJECT/crates/$4/src/lib.rs" ;;
             "xtask test" | "xtask bench") ;;
             *) echo "cargo $*: what is that?" >&2; exit 1 ;;
         esac"#,
@@ -192,11 +202,12 @@ impl Bench {
     }
 
     fn bash(&self, here: &Path, line: &str) -> Output {
-        let root = self.root.path();
-        let path = format!("{}:{}", root.join("bin").display(), std::env::var("PATH").unwrap());
+        let bench = self.root.path();
+        let path = format!("{}:{}", bench.join("bin").display(), std::env::var("PATH").unwrap());
         let mut bash = Command::new("bash");
         bash.args(["--noprofile", "--norc", "-eu", "-o", "pipefail", "-c", line]).current_dir(here);
-        bash.env("PATH", path).env("HOME", root.join("home")).env("ASKED", root.join("asked"));
+        bash.env("PATH", path).env("HOME", bench.join("home")).env("ASKED", bench.join("asked"));
+        bash.env("PROJECT", fs::canonicalize(root()).unwrap());
         bash.env("UCHAIN", env!("CARGO_BIN_EXE_uchain")).env("fpath", "").stdin(Stdio::null());
         bash.output().unwrap()
     }
@@ -295,6 +306,8 @@ fn a_wrong_example_is_found() {
         "uchain paper fig4z --out again",
         "uchain paper all --aut again",
         "cargo xtask tset",
+        "cargo install --path crates/uchain-cly",
+        "cargo run --release --example flie",
         "uchain report sweeps/corners",
     ];
     for line in lines {
@@ -506,15 +519,12 @@ fn sources() -> Vec<String> {
     sources
 }
 
-/// Fields of the tables of README headed by "field of `file`", by the heading above them.
+/// Fields of the tables of all pages headed by "field of `file`", by page and file.
 fn fields_in_tables() -> BTreeMap<(String, String), BTreeSet<String>> {
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let (mut section, mut file) = (String::new(), None::<String>);
     let mut fields: BTreeMap<(String, String), BTreeSet<String>> = BTreeMap::new();
-    for line in readme.lines() {
-        if let Some(heading) = line.strip_prefix("## ") {
-            heading.clone_into(&mut section);
-        }
+    let documents = documents();
+    let mut file = None::<String>;
+    for (page, line) in documents.iter().flat_map(|page| page.text.lines().map(|line| (&page.name, line))) {
         if let Some(rest) = line.strip_prefix("| field of `") {
             file = rest.split('`').next().map(str::to_owned);
         } else if !line.starts_with('|') {
@@ -522,14 +532,14 @@ fn fields_in_tables() -> BTreeMap<(String, String), BTreeSet<String>> {
         } else if let Some(file) = file.as_ref().filter(|_| !line.starts_with("|-")) {
             let first = line.split('|').nth(1).unwrap();
             let names = first.split('`').skip(1).step_by(2).map(str::to_owned);
-            fields.entry((section.clone(), file.clone())).or_default().extend(names);
+            fields.entry((page.clone(), file.clone())).or_default().extend(names);
         }
     }
     fields
 }
 
 #[test]
-fn every_field_of_a_result_is_in_readmes_table_and_every_field_of_the_table_is_in_a_result() {
+fn every_field_of_a_result_is_in_the_table_of_its_page_and_every_field_of_the_table_is_in_a_result() {
     let here = folder();
     let fields_of = |args: &[&str], out: &str| -> BTreeSet<String> {
         let output = uchain(here.path(), &[args, &["--json", "--out", out]].concat());
@@ -540,30 +550,52 @@ fn every_field_of_a_result_is_in_readmes_table_and_every_field_of_the_table_is_i
     let tables = fields_in_tables();
     let expected = [
         (
-            "What a run leaves",
+            "docs/guide/results.md",
             "summary.json",
             fields_of(&["run", "corner", "--set", "duration_s=5"], "chain"),
         ),
-        ("Explorations", "summary.json", fields_of(&["run", "apartment", "--set", "duration_s=5"], "rooms")),
-        ("How many UAVs does my tunnel need?", "plan.json", fields_of(&["plan", "corner"], "plan")),
+        (
+            "docs/guide/exploration.md",
+            "summary.json",
+            fields_of(&["run", "apartment", "--set", "duration_s=5"], "rooms"),
+        ),
+        ("docs/guide/planning.md", "plan.json", fields_of(&["plan", "corner"], "plan")),
     ];
     assert_eq!(tables.len(), expected.len(), "{:?}", tables.keys());
-    for (section, file, fields) in expected {
-        let table = &tables[&(section.to_owned(), file.to_owned())];
+    for (page, file, fields) in expected {
+        let table = &tables[&(page.to_owned(), file.to_owned())];
         let (only_there, only_here): (Vec<_>, Vec<_>) =
             (fields.difference(table).collect(), table.difference(&fields).collect());
         assert!(
             only_there.is_empty() && only_here.is_empty(),
-            "{section}: {file} has {only_there:?} besides, and the table {only_here:?}"
+            "{page}: {file} has {only_there:?} besides, and the table {only_here:?}"
         );
     }
 }
 
+/// Links of a page to files of the project that are not there; anchors and other sites are not looked at.
+fn broken_links(page: &Text) -> Vec<String> {
+    let folder = root().join(&page.name).parent().unwrap().to_owned();
+    let links = page.text.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+    let files = links.filter(|link| !link.contains("://") && !link.starts_with('#'));
+    let files = files.map(|link| link.split('#').next().unwrap());
+    files.filter(|file| !folder.join(file).exists()).map(|file| format!("{}: {file}", page.name)).collect()
+}
+
 #[test]
-fn the_answer_of_a_plan_that_readme_shows_is_the_one_it_gives() {
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+fn every_link_from_a_page_to_another_file_leads_somewhere() {
+    let documents = documents();
+    let broken: Vec<String> = documents.iter().flat_map(broken_links).collect();
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+    let planted = |text: &str| Text { name: "docs/guide/planted.md".to_owned(), text: text.to_owned() };
+    assert_eq!(broken_links(&planted("[a](../limits.md#the-radio) and [b](../limit.md)")).len(), 1);
+}
+
+#[test]
+fn the_answer_of_a_plan_that_the_guide_shows_is_the_one_it_gives() {
+    let guide = fs::read_to_string(root().join("docs/guide/planning.md")).unwrap();
     let shown: Vec<&str> =
-        readme.split("\n```text\n").skip(1).map(|rest| rest.split("\n```").next().unwrap()).collect();
+        guide.split("\n```text\n").skip(1).map(|rest| rest.split("\n```").next().unwrap()).collect();
     let [shown] = shown.as_slice() else { panic!("{} texts, of which one is known", shown.len()) };
     let plan = uchain(folder().path(), &["plan", "staircase"]);
     let answer = stdout(&plan).lines().rev().nth(1).unwrap();
@@ -574,8 +606,9 @@ fn the_answer_of_a_plan_that_readme_shows_is_the_one_it_gives() {
 fn every_program_that_is_shown_and_flies_brings_its_own_mathematics() {
     let mut flying = 0;
     for source in sources() {
-        // Examples in the documentation.
-        for example in source.split("/// ```\n").skip(1).step_by(2).filter(|text| !text.is_empty()) {
+        // Examples in the documentation of items, and of whole modules.
+        let examples = ["/// ```\n", "//! ```\n"].map(|fence| source.split(fence).skip(1).step_by(2));
+        for example in examples.into_iter().flatten().filter(|text| !text.is_empty()) {
             let flies = ["run(&", "replay::", ".fly(", ".step(", "McapRecorder::start"];
             if flies.iter().any(|call| example.contains(call)) {
                 flying += 1;
@@ -584,6 +617,6 @@ fn every_program_that_is_shown_and_flies_brings_its_own_mathematics() {
         }
     }
     assert!(flying >= 5, "{flying}");
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    assert!(readme.contains("`use uchain_libm as _;`"));
+    let guide = fs::read_to_string(root().join("docs/guide/results.md")).unwrap();
+    assert!(guide.contains("`use uchain_libm as _;`"));
 }

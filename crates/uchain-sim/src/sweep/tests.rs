@@ -86,7 +86,7 @@ fn columns_have_different_names_and_those_of_the_summary() {
 }
 
 #[test]
-fn the_readme_names_every_column_with_its_type() {
+fn the_guide_names_every_column_with_its_type() {
     let names = |scenario: &str, kind: Kind| {
         let sweep = Sweep::new(builtin(scenario).unwrap(), Vec::new(), Design::default(), 1, 1).unwrap();
         let results = sweep.columns().into_iter().filter(|column| column.is_result && column.kind == kind);
@@ -100,10 +100,10 @@ fn the_readme_names_every_column_with_its_type() {
         (Kind::Numbers, "list of double", ""),
         (Kind::Singles, "list of float", ""),
     ];
-    let readme = include_str!("../../../../README.md");
+    let guide = include_str!("../../../../docs/guide/sweeps.md");
     for (kind, name, every) in rows {
         let line =
             format!("| {name} | {every} | {} | {} |\n", names("straight", kind), names("apartment", kind));
-        assert!(readme.contains(&line), "README.md, Thousands of runs, lacks the line\n{line}");
+        assert!(guide.contains(&line), "docs/guide/sweeps.md lacks the line\n{line}");
     }
 }
