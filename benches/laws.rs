@@ -1,12 +1,9 @@
 use std::hint::black_box;
 
 use criterion::Criterion;
-use uchain_core::{
-    chain::{
-        CenterParams, EqualizeParams, Follow, Heard, KalmanParams, Node, NodeParams, Observation, Packet,
-        RadioSlot, Role, ScalarKalman, TOF_RANGE_M, Tof, center, equalize,
-    },
-    seam::Brain,
+use uchain_core::chain::{
+    Brain, CenterParams, EqualizeParams, Follow, Heard, KalmanParams, Node, NodeParams, Observation, Packet,
+    RadioSlot, Role, ScalarKalman, TOF_RANGE_M, Tof, center, equalize,
 };
 
 pub(crate) fn all(criterion: &mut Criterion) {
@@ -30,17 +27,21 @@ pub(crate) fn all(criterion: &mut Criterion) {
     let seen = Observation { tof: Some(tof), ..Observation::default() };
     group.bench_function("decide, distances only", |b| {
         let mut node = Node::new(Role::Head, NodeParams::default());
-        node.decide(&Observation { radio: Some(RadioSlot::default()), ..seen });
+        node.decide(&Observation { radio: Some(RadioSlot::default()), ..seen.clone() });
         b.iter(|| node.decide(black_box(&seen)));
     });
-    let heard = Some(Heard { loss_db: 55.0, packet: Packet { flown_s: 100.0, ..Packet::default() } });
-    let radio = Some(RadioSlot { back: heard, front: heard });
-    let seen = Observation { radio, ground_speed_mps: 0.1, ..seen };
+    let heard = |place, loss_db| Heard {
+        from: place,
+        loss_db,
+        packet: Packet { place, flown_s: 100.0, ..Packet::default() },
+    };
+    let radio = Some([heard(2, 55.0), heard(0, 55.0)].into_iter().collect());
+    let seen = Observation { place: Some(1), radio, ground_speed_mps: Some(0.1), ..seen };
     group.bench_function("decide, distances and radio", |b| {
         let mut node = Node::new(Role::Relay, NodeParams::default());
         // On the ground until the loss has been above s_min for a while.
-        let far = heard.map(|heard| Heard { loss_db: 80.0, ..heard });
-        let far = Observation { radio: Some(RadioSlot { back: None, front: far }), ..seen };
+        let radio: Option<RadioSlot> = Some([heard(0, 80.0)].into_iter().collect());
+        let far = Observation { radio, ..seen.clone() };
         for _ in 0..100 {
             node.decide(&far);
         }

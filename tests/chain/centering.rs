@@ -4,9 +4,8 @@ use core::f32::consts::PI;
 use std::sync::Arc;
 
 use glam::Vec2;
-use uchain_core::{
-    chain::{CenterLaw, Heard, Node, NodeParams, Observation, Packet, PilotInput, RadioSlot, Role},
-    seam::Brain,
+use uchain_core::chain::{
+    BASE_ID, Brain, CenterLaw, Heard, Node, NodeParams, Observation, Packet, PilotInput, RadioSlot, Role,
 };
 use uchain_sim::{
     map::{CentreLine, Map, Vertex, corridor},
@@ -92,7 +91,7 @@ fn fly(pass: &Pass, law: CenterLaw) -> End {
     let mut node = Node::new(Role::Head, params);
     let speed_mps = if pass.backward { -pass.speed_mps } else { pass.speed_mps };
     let pilot = PilotInput { speed_mps, ..PilotInput::default() };
-    let good = Heard { loss_db: 40.0, packet: Packet::default() };
+    let good = Heard { from: BASE_ID, loss_db: 40.0, packet: Packet::BASE };
 
     let goal_m = line.length_m() - margin_m;
     let (mut after_m, mut nearest_m) = (0.0, f32::INFINITY);
@@ -104,7 +103,7 @@ fn fly(pass: &Pass, law: CenterLaw) -> End {
             seen.tof = Some(noise.apply(read_tof(&rays, &world, 0, &beams)));
         }
         if tick % 4 == 0 {
-            seen.radio = Some(RadioSlot { back: Some(good), front: None });
+            seen.radio = Some(RadioSlot::from_iter([good]));
         }
         let asked = node.decide(&seen);
         world.act(&[asked]);

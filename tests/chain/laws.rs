@@ -5,13 +5,10 @@ use adskalman::{
 };
 use nalgebra::{Matrix1, Vector1};
 use proptest::prelude::*;
-use uchain_core::{
-    chain::{
-        CenterLaw, CenterParams, Command, EqualizeParams, Follow, Gap, Heard, KalmanParams, Node, NodeParams,
-        Observation, Packet, PilotInput, RadioSlot, Role, ScalarKalman, SpeedLaw, TOF_RANGE_M, Tof, center,
-        equalize,
-    },
-    seam::Brain,
+use uchain_core::chain::{
+    Brain, CenterLaw, CenterParams, Command, EqualizeParams, Follow, Gap, HEARD_MAX, Heard, KalmanParams,
+    Node, NodeParams, Observation, Packet, PilotInput, RadioSlot, Role, ScalarKalman, SpeedLaw, TOF_RANGE_M,
+    Tof, center, equalize,
 };
 use uchain_sim::analyse::optimum::equal_links;
 
@@ -223,23 +220,25 @@ fn any_tof() -> impl Strategy<Value = Tof> {
     })
 }
 
-fn any_heard() -> impl Strategy<Value = Option<Heard>> {
-    let heard = (any_f32(), any_f32(), any_f32(), any_f32(), any::<bool>()).prop_map(
-        |(loss_db, ground_speed_mps, flown_s, imbalance_db, is_base)| {
-            let packet = Packet { ground_speed_mps, flown_s, imbalance_db, is_base, follow: Follow::Centre };
-            Heard { loss_db, packet }
+fn any_heard() -> impl Strategy<Value = Heard> {
+    let words = (any_f32(), any_f32(), any_f32(), any::<bool>());
+    (any::<u16>(), any::<u16>(), any_f32(), words).prop_map(
+        |(from, place, loss_db, (ground_speed_mps, flown_s, imbalance_db, is_base))| {
+            let packet =
+                Packet { place, ground_speed_mps, flown_s, imbalance_db, is_base, ..Packet::default() };
+            Heard { from, loss_db, packet }
         },
-    );
-    prop::option::of(heard)
+    )
 }
 
 fn any_observation() -> impl Strategy<Value = Observation> {
-    let radio =
-        prop::option::of((any_heard(), any_heard()).prop_map(|(back, front)| RadioSlot { back, front }));
-    (prop::option::of(any_tof()), radio, any_f32(), any_f32()).prop_map(
-        |(tof, radio, ground_speed_mps, speed_mps)| {
-            let pilot = PilotInput { speed_mps, follow: Follow::Left };
-            Observation { tof, radio, ground_speed_mps, pilot: Some(pilot) }
+    let radio = prop::option::of(prop::collection::vec(any_heard(), 0..HEARD_MAX + 2));
+    let radio = radio.prop_map(|heard| heard.map(RadioSlot::from_iter));
+    let place = prop::option::of(any::<u16>());
+    (place, prop::option::of(any_tof()), radio, prop::option::of(any_f32()), any_f32()).prop_map(
+        |(place, tof, radio, ground_speed_mps, speed_mps)| {
+            let pilot = Some(PilotInput { speed_mps, follow: Follow::Left });
+            Observation { place, tof, radio, ground_speed_mps, battery: None, pilot }
         },
     )
 }
@@ -293,7 +292,7 @@ proptest! {
         for observation in &seen {
             let command = node.decide(observation);
             prop_assert!(within_limits(&command, &params), "{command:?}");
-            for loss_db in [node.back_loss_db(), node.front_loss_db()].into_iter().flatten() {
+            for loss_db in [node.estimates().back.filtered_db, node.estimates().front.filtered_db].into_iter().flatten() {
                 prop_assert!(loss_db.is_finite());
             }
         }

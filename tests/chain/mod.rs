@@ -12,6 +12,10 @@ mod fast;
 mod faults;
 /// Claims of the laws for whatever they may meet.
 mod laws;
+/// Ids are for life, and the chain's order is a list that changes.
+mod members;
+/// A law of one's own flies where the built-in one does.
+mod own_law;
 /// The shipped scenarios do what their descriptions say.
 mod scenarios;
 /// A run says what happened: as asked, or what went wrong.

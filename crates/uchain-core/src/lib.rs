@@ -26,6 +26,5 @@ pub mod chain;
 pub mod explore;
 pub mod flight;
 pub mod params;
-pub mod seam;
 
 pub use bounded::bounded;

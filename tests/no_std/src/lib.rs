@@ -13,11 +13,10 @@ use core::{fmt::Write as _, hint::black_box};
 
 use uchain_core::{
     chain::{
-        CenterParams, EqualizeParams, Heard, KalmanParams, Node, NodeParams, Observation, RadioSlot, Role,
+        Brain as _, CenterParams, EqualizeParams, Heard, KalmanParams, Node, NodeParams, Observation, Packet, RadioSlot, Role,
         ScalarKalman, TOF_RANGE_M, Tof, center, equalize,
     },
     flight::{Attitude, FlightState, PdLaw, QuadrotorParams},
-    seam::Brain as _,
 };
 
 #[panic_handler]
@@ -33,18 +32,19 @@ pub extern "C" fn fly(decisions: u32, loss_db: f32, speed_mps: f32, distance_m: 
     let tof = Tof { nw_m: distance_m, ne_m: 1.0, sw_m: 1.0, se_m: distance_m };
     let mut sum = 0.0;
     for _ in 0..decisions {
-        let heard = |packet| Some(Heard { loss_db, packet });
-        let radio = RadioSlot { back: heard(relay.say(speed_mps)), front: heard(head.say(speed_mps)) };
-        let seen = Observation {
-            tof: Some(tof),
-            radio: Some(radio),
-            ground_speed_mps: speed_mps,
-            ..Observation::default()
-        };
+        let mut seen = Observation { tof: Some(tof), ground_speed_mps: Some(speed_mps), ..Observation::default() };
+        let said = [head.say(&seen), relay.say(&seen), Packet::BASE];
+        let mut radio = RadioSlot::default();
+        for (from, packet) in said.into_iter().enumerate() {
+            radio.push(Heard { from: from as u16, loss_db, packet });
+        }
+        seen.radio = Some(radio);
         let (ahead, behind) = (head.decide(&seen), relay.decide(&seen));
         sum += ahead.forward_mps + behind.lateral_mps + behind.yaw_rate_radps;
     }
-    sum + head.back_loss_db().unwrap_or(0.0) + relay.front_loss_db().unwrap_or(0.0)
+    let why = relay.explain(&Observation::default()).map_or(0.0, |why| why.wish_mps + why.speed_share);
+    let (head, relay) = (head.estimates(), relay.estimates());
+    sum + why + head.back.filtered_db.unwrap_or(0.0) + relay.front.filtered_db.unwrap_or(0.0)
 }
 
 /// The laws that stand by themselves.

@@ -2,6 +2,22 @@
 
 use super::{LinkEnd, LinkParams};
 
+/// Why a UAV flies otherwise than its law, or its pilot, wishes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Override {
+    /// A head that has heard nobody behind it yet stays.
+    NeverHeard,
+    /// The head's back link is too weak to go on (`head_stop_db`).
+    HeadStop,
+    /// The back link is so weak that it flies backward (`head_back_db`, `relay_back_db`).
+    Retreat,
+    /// The back link is lost (`lost_s`): it flies backward.
+    BackLost,
+    /// The front link is lost (`lost_s`): it hovers.
+    FrontLost,
+}
+
 /// A threshold that is left only `hysteresis_db` below where it was crossed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct Latch {
@@ -38,6 +54,15 @@ impl HeadGuard {
             wish_mps
         }
     }
+
+    /// What overrode the pilot the last time, if his wish was for more than that allows.
+    pub fn reason(&self, back: &LinkEnd, params: &LinkParams) -> Option<Override> {
+        let is_lost = back.is_lost(params).then_some(Override::BackLost);
+        let retreats = || self.back.on.then_some(Override::Retreat);
+        let stops = || self.stop.on.then_some(Override::HeadStop);
+        let has_not_heard = || back.loss_db().is_none().then_some(Override::NeverHeard);
+        is_lost.or_else(retreats).or_else(stops).or_else(has_not_heard)
+    }
 }
 
 /// What the state of its links makes a relay do.
@@ -59,6 +84,14 @@ impl RelayGuard {
         } else {
             wish_mps
         }
+    }
+
+    /// What overrode its law the last time.
+    pub fn reason(&self, back: &LinkEnd, front: &LinkEnd, params: &LinkParams) -> Option<Override> {
+        let is_lost = back.is_lost(params).then_some(Override::BackLost);
+        let retreats = || self.back.on.then_some(Override::Retreat);
+        let hovers = || front.is_lost(params).then_some(Override::FrontLost);
+        is_lost.or_else(retreats).or_else(hovers)
     }
 }
 

@@ -175,7 +175,7 @@ impl LinkEnd {
 #[cfg(test)]
 pub(super) fn at(loss_db: f32) -> LinkEnd {
     let mut link = LinkEnd::new(End::Front);
-    let heard = Heard { loss_db, packet: Packet::default() };
+    let heard = Heard { from: 0, loss_db, packet: Packet::default() };
     link.hear(Some(&heard), Some(0.0), 0.2, &KalmanParams::default(), &LinkParams::default());
     link
 }
@@ -192,12 +192,12 @@ mod tests {
             link.hear(None, Some(0.0), 0.2, &kalman, &params);
         }
         assert!(!link.is_lost(&params));
-        let rubbish = Heard { loss_db: f32::NAN, packet: Packet::default() };
+        let rubbish = Heard { from: 0, loss_db: f32::NAN, packet: Packet::default() };
         link.hear(Some(&rubbish), Some(0.0), 0.2, &kalman, &params);
         assert!(link.is_lost(&params), "a reading that is not finite counts as none");
         assert_eq!(link.loss_db(), Some(50.0), "silence holds the estimate");
         link.hear(
-            Some(&Heard { loss_db: 50.0, packet: Packet::default() }),
+            Some(&Heard { from: 0, loss_db: 50.0, packet: Packet::default() }),
             Some(0.0),
             0.2,
             &kalman,
@@ -209,8 +209,11 @@ mod tests {
     #[test]
     fn both_ends_of_a_stretching_link_lead_upward() {
         let (kalman, params) = (KalmanParams::default(), LinkParams::default());
-        let heard =
-            |speed| Heard { loss_db: 50.0, packet: Packet { ground_speed_mps: speed, ..Packet::default() } };
+        let heard = |speed| Heard {
+            from: 0,
+            loss_db: 50.0,
+            packet: Packet { ground_speed_mps: speed, ..Packet::default() },
+        };
         let (mut front, mut rear) = (LinkEnd::new(End::Front), LinkEnd::new(End::Rear));
         for _ in 0..2 {
             front.hear(Some(&heard(0.0)), Some(0.2), 0.2, &kalman, &params); // I fly ahead, the neighbour stands
@@ -226,7 +229,13 @@ mod tests {
         let params = LinkParams { gap: Gap::Predict, ..LinkParams::default() };
         let mut link = LinkEnd::new(End::Front);
         let neighbour = Packet { ground_speed_mps: -0.1, ..Packet::default() };
-        link.hear(Some(&Heard { loss_db: 50.0, packet: neighbour }), Some(0.1), 0.2, &kalman, &params);
+        link.hear(
+            Some(&Heard { from: 0, loss_db: 50.0, packet: neighbour }),
+            Some(0.1),
+            0.2,
+            &kalman,
+            &params,
+        );
         for _ in 0..20 {
             link.hear(None, Some(0.1), 0.2, &kalman, &params);
         }
@@ -240,7 +249,7 @@ mod tests {
         let params = LinkParams { base_flow: false, ..LinkParams::default() };
         let mut link = LinkEnd::new(End::Front);
         for _ in 0..5 {
-            let heard = Heard { loss_db: 50.0, packet: Packet::BASE };
+            let heard = Heard { from: 0, loss_db: 50.0, packet: Packet::BASE };
             link.hear(Some(&heard), Some(0.3), 0.2, &kalman, &params);
         }
         assert_eq!(link.loss_db(), Some(50.0));
@@ -252,7 +261,7 @@ mod tests {
         let mut link = LinkEnd::new(End::Rear);
         let packet = Packet { ground_speed_mps: 0.2, ..Packet::default() };
         for _ in 0..300 {
-            link.hear(Some(&Heard { loss_db: 57.0, packet }), own_mps, 0.2, &kalman, &params);
+            link.hear(Some(&Heard { from: 0, loss_db: 57.0, packet }), own_mps, 0.2, &kalman, &params);
         }
         link.loss_db().unwrap()
     }
@@ -268,7 +277,7 @@ mod tests {
     #[test]
     fn the_raw_signal_is_the_last_sample() {
         let mut link = at(50.0);
-        let heard = Heard { loss_db: 58.0, packet: Packet::default() };
+        let heard = Heard { from: 0, loss_db: 58.0, packet: Packet::default() };
         link.hear(Some(&heard), Some(0.0), 0.2, &KalmanParams::default(), &LinkParams::default());
         assert_eq!(link.signal_db(Signal::Raw), Some(58.0));
         assert!(link.signal_db(Signal::Filtered) < Some(58.0));

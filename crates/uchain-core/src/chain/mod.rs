@@ -2,6 +2,7 @@
 
 mod center;
 mod equalize;
+mod explain;
 mod guard;
 mod kalman;
 mod link;
@@ -9,11 +10,15 @@ mod node;
 mod seam;
 mod takeoff;
 
-pub use center::{CenterLaw, CenterParams, Centering, center};
+pub use center::{CenterLaw, CenterParams, Centering, Walls, center};
 pub use equalize::{EqualizeParams, SpeedLaw, equalize};
-pub use guard::{HeadGuard, RelayGuard};
+pub use explain::{Explanation, Stage};
+pub use guard::{HeadGuard, Override, RelayGuard};
 pub use kalman::{KalmanParams, ScalarKalman};
 pub use link::{End, Gap, LinkEnd, LinkParams, Signal};
 pub use node::{Node, NodeParams, Role};
-pub use seam::{Command, Follow, Heard, Observation, Packet, PilotInput, RadioSlot, TOF_RANGE_M, Tof};
+pub use seam::{
+    BASE_ID, Brain, Command, Estimates, Follow, HEARD_MAX, Heard, LinkEstimate, Observation, Packet,
+    PilotInput, RadioSlot, TOF_RANGE_M, Tof,
+};
 pub use takeoff::{Launch, Takeoff, TakeoffParams};

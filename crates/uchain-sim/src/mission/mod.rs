@@ -59,7 +59,7 @@ pub(crate) const PROTO: &str = include_str!("uchain.proto");
 /// ```
 pub trait Mission: Sized + Debug + Send + 'static {
     /// What it is flown in: a scenario laid out and checked, shared by many runs.
-    type Scene: Scene<Mission = Self>;
+    type Scene: Scene;
     /// What a robot may know at one instant.
     type Observation: Debug;
     /// What a robot is to do.
@@ -67,7 +67,7 @@ pub trait Mission: Sized + Debug + Send + 'static {
     /// What an instant leaves behind.
     type Frame: Snapshot;
     /// Sums a run up.
-    type Metrics: Metrics<Mission = Self>;
+    type Metrics: Metrics<Mission: Mission<Scene = Self::Scene, Frame = Self::Frame, Summary = Self::Summary>>;
     /// What a run came to.
     type Summary: Summary;
 

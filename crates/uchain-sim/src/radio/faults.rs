@@ -115,8 +115,8 @@ impl Bursty {
 }
 
 impl Receiver for Bursty {
-    fn receive(&mut self, tick: u64, side: Side, true_db: f32, packet: Packet) -> Option<Heard> {
-        let heard = self.inner.receive(tick, side, true_db, packet);
+    fn receive(&mut self, tick: u64, side: Side, true_db: f32, from: u16, packet: Packet) -> Option<Heard> {
+        let heard = self.inner.receive(tick, side, true_db, from, packet);
         let draw = self.streams[side as usize].uniform();
         let burst = &mut self.in_burst[side as usize];
         *burst = if *burst { draw >= self.end } else { draw < self.begin };
@@ -132,8 +132,8 @@ struct OneWay {
 }
 
 impl Receiver for OneWay {
-    fn receive(&mut self, tick: u64, side: Side, true_db: f32, packet: Packet) -> Option<Heard> {
-        let heard = self.inner.receive(tick, side, true_db, packet);
+    fn receive(&mut self, tick: u64, side: Side, true_db: f32, from: u16, packet: Packet) -> Option<Heard> {
+        let heard = self.inner.receive(tick, side, true_db, from, packet);
         let now_s = time_s(tick);
         let deaf = self.deaf.iter().any(|deaf| {
             let same_side = (deaf.side == DeafSide::Back) == (side == Side::Back);
@@ -158,9 +158,9 @@ impl Late {
 }
 
 impl Receiver for Late {
-    fn receive(&mut self, tick: u64, side: Side, true_db: f32, packet: Packet) -> Option<Heard> {
+    fn receive(&mut self, tick: u64, side: Side, true_db: f32, from: u16, packet: Packet) -> Option<Heard> {
         let under_way = &mut self.under_way[side as usize];
-        if let Some(heard) = self.inner.receive(tick, side, true_db, packet) {
+        if let Some(heard) = self.inner.receive(tick, side, true_db, from, packet) {
             under_way.push_back((tick + self.delay_ticks, heard));
         }
         let mut newest = None;
@@ -180,13 +180,13 @@ mod tests {
     struct Perfect;
 
     impl Receiver for Perfect {
-        fn receive(&mut self, tick: u64, _: Side, _: f32, packet: Packet) -> Option<Heard> {
-            Some(Heard { loss_db: tick as f32, packet })
+        fn receive(&mut self, tick: u64, _: Side, _: f32, from: u16, packet: Packet) -> Option<Heard> {
+            Some(Heard { from, loss_db: tick as f32, packet })
         }
     }
 
     fn hear(receiver: &mut dyn Receiver, tick: u64, side: Side) -> Option<f32> {
-        receiver.receive(tick, side, 0.0, Packet::default()).map(|heard| heard.loss_db)
+        receiver.receive(tick, side, 0.0, 0, Packet::default()).map(|heard| heard.loss_db)
     }
 
     #[test]
@@ -225,7 +225,7 @@ mod tests {
         let mut whole = receiver(Seed(1), 2, 0.0, &packets, &FaultConfig { deaf, ..FaultConfig::default() });
         // A sample tells when it was sent.
         let mut heard_at = |tick: u64| {
-            let heard = whole.receive(tick, Side::Back, tick as f32, Packet::default());
+            let heard = whole.receive(tick, Side::Back, tick as f32, 0, Packet::default());
             heard.map(|heard| heard.loss_db)
         };
         let heard: Vec<Option<f32>> = (0..=44).step_by(4).map(&mut heard_at).collect();

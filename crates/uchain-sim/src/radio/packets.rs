@@ -33,7 +33,7 @@ pub enum Side {
 /// The receiver of one UAV. Each kind of imperfection is a receiver around another one.
 pub trait Receiver: core::fmt::Debug + Send {
     /// What is heard, at `tick`, of the packet a neighbour sends then over a link of this true loss (dB).
-    fn receive(&mut self, tick: u64, side: Side, true_db: f32, packet: Packet) -> Option<Heard>;
+    fn receive(&mut self, tick: u64, side: Side, true_db: f32, from: u16, packet: Packet) -> Option<Heard>;
 }
 
 /// The receiver as it comes: noise, random drops and a limit. Own draws for each of the two neighbours.
@@ -61,7 +61,7 @@ impl Radio {
 }
 
 impl Receiver for Radio {
-    fn receive(&mut self, _: u64, side: Side, true_db: f32, packet: Packet) -> Option<Heard> {
+    fn receive(&mut self, _: u64, side: Side, true_db: f32, from: u16, packet: Packet) -> Option<Heard> {
         let stream = match side {
             Side::Back => &mut self.back,
             Side::Front => &mut self.front,
@@ -69,7 +69,7 @@ impl Receiver for Radio {
         // Three draws, whatever happens: what arrives moves nobody's draws.
         let loss_db = true_db + self.sigma_db * stream.normal();
         let arrives = stream.uniform() >= self.drop_rate;
-        (arrives && loss_db < self.limit_db).then_some(Heard { loss_db, packet })
+        (arrives && loss_db < self.limit_db).then_some(Heard { from, loss_db, packet })
     }
 }
 
@@ -80,7 +80,7 @@ mod tests {
     fn share_heard(true_db: f32, params: &PacketParams) -> f64 {
         let mut radio = Radio::new(Seed(1), 0, 3.0, params);
         let heard = (0..20_000)
-            .filter(|tick| radio.receive(*tick, Side::Back, true_db, Packet::default()).is_some())
+            .filter(|tick| radio.receive(*tick, Side::Back, true_db, 0, Packet::default()).is_some())
             .count();
         heard as f64 / 20_000.0
     }
@@ -102,9 +102,9 @@ mod tests {
         let mut front_only = Radio::new(Seed(1), 0, 3.0, &params);
         let mut both = Radio::new(Seed(1), 0, 3.0, &params);
         for tick in 0..100 {
-            both.receive(tick, Side::Back, 50.0, Packet::default());
-            let alone = front_only.receive(tick, Side::Front, 55.0, Packet::default());
-            assert_eq!(both.receive(tick, Side::Front, 55.0, Packet::default()), alone);
+            both.receive(tick, Side::Back, 50.0, 0, Packet::default());
+            let alone = front_only.receive(tick, Side::Front, 55.0, 0, Packet::default());
+            assert_eq!(both.receive(tick, Side::Front, 55.0, 0, Packet::default()), alone);
         }
     }
 }

@@ -27,6 +27,9 @@ pub struct Body {
     pub yaw_rate_radps: f32,
     /// In the air. On the ground a body does not move and is in nobody's way.
     pub airborne: bool,
+    /// Share of the charge of its battery that is left (0 to 1); `None` without one that is measured. Nothing drains it yet
+    /// but whoever flies it: [`World::set_battery`](super::World::set_battery).
+    pub battery: Option<f32>,
     /// Flies to waypoints: others move it nowhere.
     pub(super) kinematic: bool,
     /// Wall contacts begun so far.
@@ -51,6 +54,7 @@ impl Body {
             forward: unit(heading_rad),
             yaw_rate_radps: 0.0,
             airborne: kinematic,
+            battery: None,
             kinematic,
             wall_contacts: 0,
             uav_contacts: 0,

@@ -266,6 +266,13 @@ impl World {
         }
     }
 
+    /// How much of its battery's charge a body has left (0 to 1), from now on. Of a body that there is not, nothing.
+    pub fn set_battery(&mut self, body: usize, charge: Option<f32>) {
+        if let Some(state) = self.bodies.get_mut(body) {
+            state.battery = charge;
+        }
+    }
+
     /// Somebody has come from the ground, or gone there.
     fn sort(&mut self) {
         self.neighbours.sort(&self.bodies);

@@ -1,6 +1,6 @@
 //! Centering as in the authors' flight firmware: nearer wall in a wide tunnel, relative yaw error.
 
-use super::{CenterParams, Follow};
+use super::{CenterParams, Follow, Walls};
 
 /// The two beams of one side (m); both within range, or the side counts as unseen.
 #[derive(Debug, Clone, Copy)]
@@ -34,26 +34,43 @@ impl Wall {
 
 /// Lateral speed (m/s) and yaw rate (rad/s) before their limits. Beams of a length of `range_m` or more see
 /// nothing. The law is its own mirror image under a half-turn, so flying backward changes nothing.
-pub(super) fn steer(
+pub(super) fn steer(beams: [f32; 4], range_m: f32, follow: Follow, params: &CenterParams) -> (f32, f32) {
+    let Some((wall, goal_m, _)) = chosen(beams, range_m, follow, params) else { return (0.0, 0.0) };
+    let lateral_mps = -wall.side * params.firmware_lateral_per_s * (goal_m - wall.perpendicular_m());
+    (lateral_mps, params.firmware_yaw_radps * wall.misalignment())
+}
+
+/// The walls it steers by; `None` if it flies blind.
+pub(super) fn walls(beams: [f32; 4], range_m: f32, follow: Follow, params: &CenterParams) -> Option<Walls> {
+    chosen(beams, range_m, follow, params).map(|(.., walls)| walls)
+}
+
+/// The wall it measures from, the distance it keeps from it (m), and what that amounts to.
+fn chosen(
     [nw, ne, sw, se]: [f32; 4],
     range_m: f32,
     follow: Follow,
     params: &CenterParams,
-) -> (f32, f32) {
+) -> Option<(Wall, f32, Walls)> {
     let left = Wall::seen(1.0, nw, sw, range_m).filter(|_| follow != Follow::Right);
     let right = Wall::seen(-1.0, ne, se, range_m).filter(|_| follow != Follow::Left);
-    let (wall, goal_m) = match (left, right) {
-        (None, None) => return (0.0, 0.0),
-        (Some(wall), None) | (None, Some(wall)) => (wall, params.firmware_goal_m),
+    match (left, right) {
+        (None, None) => None,
+        (Some(wall), None) => Some((wall, params.firmware_goal_m, Walls::Left)),
+        (None, Some(wall)) => Some((wall, params.firmware_goal_m, Walls::Right)),
         (Some(left), Some(right)) => {
             let width_m = left.perpendicular_m() + right.perpendicular_m();
-            let nearer = if left.mean_m() <= right.mean_m() { left } else { right };
-            let wide = width_m > params.firmware_wide_m;
-            (nearer, if wide { params.firmware_goal_m } else { 0.5 * width_m })
+            let (nearer, walls) =
+                if left.mean_m() <= right.mean_m() { (left, Walls::Left) } else { (right, Walls::Right) };
+            let is_wide = width_m > params.firmware_wide_m;
+            // Half the width from the nearer wall is the middle.
+            Some(if is_wide {
+                (nearer, params.firmware_goal_m, walls)
+            } else {
+                (nearer, 0.5 * width_m, Walls::Both)
+            })
         }
-    };
-    let lateral_mps = -wall.side * params.firmware_lateral_per_s * (goal_m - wall.perpendicular_m());
-    (lateral_mps, params.firmware_yaw_radps * wall.misalignment())
+    }
 }
 
 #[cfg(test)]

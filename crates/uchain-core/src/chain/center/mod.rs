@@ -123,9 +123,12 @@ impl Default for Centering {
 
 /// Which walls the law steers by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Walls {
+pub enum Walls {
+    /// It keeps to the middle (Laclau 2021, Eq. 20).
     Both,
+    /// It runs along the left one (Eq. 21).
     Left,
+    /// It runs along the right one (Eq. 21).
     Right,
 }
 
@@ -143,8 +146,7 @@ enum Walls {
 /// assert_eq!(asked.yaw_rate_radps, 0.0); // aligned already
 /// ```
 pub fn center(tof: &Tof, range_m: f32, backward: bool, follow: Follow, params: &CenterParams) -> Centering {
-    let seen = |d: f32| if d >= 0.0 { d.min(range_m) } else { range_m };
-    let beams = [seen(tof.nw_m), seen(tof.ne_m), seen(tof.sw_m), seen(tof.se_m)];
+    let beams = beams_of(tof, range_m);
     let [nw, ne, sw, se] = beams;
     let (lead_left, lead_right) = if backward { (sw, se) } else { (nw, ne) };
 
@@ -161,6 +163,28 @@ pub fn center(tof: &Tof, range_m: f32, backward: bool, follow: Follow, params: &
         bounded((nearest_ahead - params.slow_from_m) / params.slow_over_m, params.slow_floor, 1.0);
     let pushed_mps = push(nw.min(sw), ne.min(se), params);
     Centering { lateral_mps: pushed_mps.unwrap_or(lateral_mps), yaw_rate_radps, speed_share }
+}
+
+/// Front left, front right, rear left, rear right (m).
+fn beams_of(tof: &Tof, range_m: f32) -> [f32; 4] {
+    let seen = |d: f32| if d >= 0.0 { d.min(range_m) } else { range_m };
+    [seen(tof.nw_m), seen(tof.ne_m), seen(tof.sw_m), seen(tof.se_m)]
+}
+
+/// The walls that [`center`] steers by; `None` if by none.
+pub(super) fn walls_of(
+    tof: &Tof,
+    range_m: f32,
+    backward: bool,
+    follow: Follow,
+    params: &CenterParams,
+) -> Option<Walls> {
+    let beams = beams_of(tof, range_m);
+    match params.law {
+        CenterLaw::Wall => Some(wall::walls(beams, backward, follow, params)),
+        CenterLaw::Paper => Some(paper::walls(beams, follow, params)),
+        CenterLaw::Firmware => firmware::walls(beams, range_m, follow, params),
+    }
 }
 
 /// The lateral speed that replaces the law's where a beam on one side, and none on the other, is too short.

@@ -35,7 +35,7 @@ fn map(walls: Walls, backward: bool, params: &CenterParams) -> (Matrix2x4<f32>, 
 }
 
 /// Wall choice: the pilot's, or the two walls unless one side's beams disagree far more than the other's.
-fn walls([nw, ne, sw, se]: [f32; 4], follow: Follow, params: &CenterParams) -> Walls {
+pub(super) fn walls([nw, ne, sw, se]: [f32; 4], follow: Follow, params: &CenterParams) -> Walls {
     match follow {
         Follow::Left => return Walls::Left,
         Follow::Right => return Walls::Right,

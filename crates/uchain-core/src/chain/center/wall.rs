@@ -38,9 +38,8 @@ impl Side {
 
 /// Lateral speed (m/s) and yaw rate (rad/s) before their limits, of the beams (NW, NE, SW, SE) (m).
 pub(super) fn steer(beams: [f32; 4], backward: bool, follow: Follow, params: &CenterParams) -> (f32, f32) {
-    let [nw, ne, sw, se] = beams;
-    let (left, right) = (Side { front_m: nw, rear_m: sw }, Side { front_m: ne, rear_m: se });
-    match walls(left, right, backward, follow, params) {
+    let [left, right] = sides(beams);
+    match chosen(left, right, backward, follow, params) {
         Walls::Both => paper::along(Walls::Both, beams, backward, params),
         Walls::Left => along(left, right, params),
         Walls::Right => {
@@ -50,8 +49,18 @@ pub(super) fn steer(beams: [f32; 4], backward: bool, follow: Follow, params: &Ce
     }
 }
 
+fn sides([nw, ne, sw, se]: [f32; 4]) -> [Side; 2] {
+    [Side { front_m: nw, rear_m: sw }, Side { front_m: ne, rear_m: se }]
+}
+
+/// The walls it steers by, of the beams (NW, NE, SW, SE) (m).
+pub(super) fn walls(beams: [f32; 4], backward: bool, follow: Follow, params: &CenterParams) -> Walls {
+    let [left, right] = sides(beams);
+    chosen(left, right, backward, follow, params)
+}
+
 /// Wall choice: the pilot's, or both walls while they run alike and the way ahead is open, else the nearer one.
-fn walls(left: Side, right: Side, backward: bool, follow: Follow, params: &CenterParams) -> Walls {
+fn chosen(left: Side, right: Side, backward: bool, follow: Follow, params: &CenterParams) -> Walls {
     match follow {
         Follow::Left => return Walls::Left,
         Follow::Right => return Walls::Right,

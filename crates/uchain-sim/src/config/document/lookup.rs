@@ -9,7 +9,10 @@ use super::{
     path::{path_to, steps},
     whole,
 };
-use crate::config::{ConfigError, Origin, Preset, diagnose::shorten};
+use crate::config::{
+    ConfigError, Origin, Preset,
+    diagnose::{Choices, shorten},
+};
 
 impl<'i> Document<'i> {
     /// Where a span stands.
@@ -69,6 +72,13 @@ impl<'i> Document<'i> {
             got: self.written(key).unwrap_or_else(|| got.to_owned()),
             expected: expected.into(),
         }
+    }
+
+    /// An error for a word that is none of those that may stand there.
+    pub fn unknown_choice(&self, key: &str, got: &str, known: &[&str]) -> ConfigError {
+        let known = known.iter().map(|&word| word.to_owned()).collect();
+        let choices = Box::new(Choices::for_word(got, known));
+        ConfigError::UnknownChoice { at: self.origin(key), key: key.to_owned(), got: shorten(got), choices }
     }
 
     /// How many entries a list has; `None` where no list was written.

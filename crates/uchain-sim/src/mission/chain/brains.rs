@@ -1,34 +1,28 @@
-//! The chain: brains in order, the links between them, and the pilot of the head.
+//! The brains of a chain, the links between them, and the pilot of the head.
 
 use std::sync::Arc;
 
-use uchain_core::{
-    chain::{Command, End, LinkEnd, Node, NodeParams, Observation, Packet, PilotInput, RadioSlot, Role},
-    seam::Brain,
-};
+use uchain_core::chain::{BASE_ID, Command, End, Explanation, LinkEnd, Observation, Packet, PilotInput};
 
 use crate::{
     clock::time_s,
-    mission::chain::{Course, LinkFrame, Scenario, Silence},
+    mission::chain::{Course, Law, LinkFrame, Members, Scenario, Silence},
     radio::{Antenna, Receiver, Side, receiver},
     seed::Seed,
     world::World,
 };
 
-/// All brains of a run. UAVs take off in order; those in the air are the chain.
+/// All brains of a run, by id.
 #[derive(Debug)]
-pub(super) struct Brains {
+pub(super) struct Brains<B> {
     course: Arc<Course>,
-    nodes: Vec<Node>,
+    nodes: Vec<B>,
+    pub(super) members: Members,
     receivers: Vec<Box<dyn Receiver>>,
     base: BaseStation,
     said: Vec<Packet>,
-    /// When each UAV fails, if it is planned to (s).
+    /// When each UAV fails, if it is planned to (s); empty if none is.
     fails_s: Vec<Option<f64>>,
-    /// UAVs in the air, head first.
-    flying: Vec<usize>,
-    /// The first UAV that has neither flown nor failed; it listens from the ground.
-    in_line: usize,
     /// The flying chain's links at the last exchange: UAV at the front end, true loss (dB).
     links: Vec<(usize, f32)>,
 }
@@ -46,36 +40,25 @@ struct BaseStation {
     ear: LinkEnd,
 }
 
-fn node_params(scenario: &Scenario) -> NodeParams {
-    NodeParams {
-        kalman: scenario.kalman.clone(),
-        equalize: scenario.equalize.clone(),
-        center: scenario.center.clone(),
-        takeoff: scenario.takeoff.clone(),
-        link: scenario.link.clone(),
-        tof_range_m: scenario.tof.range_m,
-    }
-}
-
-impl Brains {
+impl<B: Law> Brains<B> {
     /// All UAVs on the ground.
     pub(super) fn new(course: Arc<Course>, seed: Seed) -> Self {
         let scenario = &course.scenario;
         let count = course.spawns.len();
-        let mut fails_s: Vec<Option<f64>> = vec![None; count];
-        for dead in &scenario.faults.dead {
+        let dead = &scenario.faults.dead;
+        let mut fails_s: Vec<Option<f64>> = vec![None; if dead.is_empty() { 0 } else { count }];
+        for dead in dead {
             if let Some(first_s) = fails_s.get_mut(dead.uav) {
                 *first_s = Some(first_s.map_or(dead.start_s, |s| s.min(dead.start_s)));
             }
         }
         let mut brains = Self {
             nodes: Vec::with_capacity(count),
+            members: Members::new(count),
             receivers: Vec::with_capacity(count),
             base: BaseStation { receiver: receiver_of(&course, seed, count), ear: LinkEnd::new(End::Rear) },
             said: Vec::with_capacity(count),
             fails_s,
-            flying: Vec::with_capacity(count),
-            in_line: 0,
             links: Vec::with_capacity(count),
             course,
         };
@@ -86,17 +69,14 @@ impl Brains {
     /// As [`Brains::new`] makes it.
     pub(super) fn reset(&mut self, seed: Seed) {
         let (course, count) = (&self.course, self.course.spawns.len());
-        let params = node_params(&course.scenario);
-        let role = |i| if i == 0 { Role::Head } else { Role::Relay };
         self.nodes.clear();
-        self.nodes.extend((0..count).map(|i| Node::new(role(i), params.clone())));
+        self.nodes.extend((0..count).map(|i| B::of(course, i)));
+        self.members.reset(count);
         self.receivers.clear();
         self.receivers.extend((0..count).map(|i| receiver_of(course, seed, i)));
         // One number beyond the UAVs', so that it draws from streams of its own.
         self.base = BaseStation { receiver: receiver_of(course, seed, count), ear: LinkEnd::new(End::Rear) };
         self.said.clear();
-        self.flying.clear();
-        self.in_line = 0;
         self.links.clear();
     }
 
@@ -118,27 +98,21 @@ impl Brains {
     /// Before anybody senses: who fails at this tick lies on the ground, is seen by nobody, says nothing and hears
     /// nothing from this very instant on.
     pub(super) fn fail(&mut self, tick: u64, world: &mut World) {
-        let mut flying = std::mem::take(&mut self.flying);
-        flying.retain(|&uav| {
-            let has_failed = self.has_failed(uav, tick);
-            if has_failed {
+        for uav in 0..self.fails_s.len() {
+            if self.has_failed(uav, tick) && self.members.fail(uav) {
                 world.ground(uav);
             }
-            !has_failed
-        });
-        self.flying = flying;
-        while self.has_failed(self.in_line, tick) {
-            self.in_line += 1;
         }
     }
 
     /// One exchange of packets: everyone in the air speaks, neighbours and the next UAV in line listen.
     pub(super) fn exchange(&mut self, tick: u64, world: &World, seen: &mut [Observation]) {
-        self.said.clear();
-        self.said.extend(self.nodes.iter().zip(&*seen).map(|(n, o)| n.say(o.ground_speed_mps)));
-        for observation in &mut *seen {
-            observation.radio = Some(RadioSlot::default());
+        for (uav, observation) in seen.iter_mut().enumerate() {
+            observation.place = self.members.place_of(uav);
+            observation.radio.get_or_insert_default().clear();
         }
+        self.said.clear();
+        self.said.extend(self.nodes.iter().zip(&*seen).map(|(node, seen)| node.say(seen)));
         let course = &*self.course;
         let antenna = |i: usize| {
             let body = &world.bodies()[i];
@@ -146,33 +120,35 @@ impl Brains {
         };
         let base = course.base.into();
         let loss_db = |from: &Antenna, to: &Antenna| course.path_loss.loss_db(&course.map, from, to);
-        let mut hear = |i: usize, side, true_db, packet| {
-            let heard = self.receivers[i].receive(tick, side, true_db, packet);
-            if let Some(slot) = &mut seen[i].radio {
-                match side {
-                    Side::Back => slot.back = heard,
-                    Side::Front => slot.front = heard,
-                }
+        let mut hear = |to: usize, side, true_db, from, packet| {
+            if let Some(heard) = self.receivers[to].receive(tick, side, true_db, from, packet)
+                && let Some(slot) = &mut seen[to].radio
+            {
+                slot.push(heard);
             }
         };
+        let id = |uav: usize| uav as u16;
         let mut at_base = None;
         self.links.clear();
-        for (place, &i) in self.flying.iter().enumerate() {
-            if let Some(&behind) = self.flying.get(place + 1) {
-                let true_db = loss_db(&antenna(i), &antenna(behind));
-                hear(i, Side::Back, true_db, self.said[behind]);
-                hear(behind, Side::Front, true_db, self.said[i]);
-                self.links.push((i, true_db));
+        let flying = self.members.flying();
+        for (i, &uav) in flying.iter().enumerate() {
+            if let Some(&behind) = flying.get(i + 1) {
+                let true_db = loss_db(&antenna(uav), &antenna(behind));
+                hear(uav, Side::Back, true_db, id(behind), self.said[behind]);
+                hear(behind, Side::Front, true_db, id(uav), self.said[uav]);
+                self.links.push((uav, true_db));
             } else {
-                let true_db = loss_db(&antenna(i), &base);
-                hear(i, Side::Back, true_db, Packet::BASE);
-                at_base = self.base.receiver.receive(tick, Side::Front, true_db, self.said[i]);
-                self.links.push((i, true_db));
+                let true_db = loss_db(&antenna(uav), &base);
+                hear(uav, Side::Back, true_db, BASE_ID, Packet::BASE);
+                at_base = self.base.receiver.receive(tick, Side::Front, true_db, id(uav), self.said[uav]);
+                self.links.push((uav, true_db));
             }
         }
-        if let Some(&last) = self.flying.last().filter(|_| self.in_line < self.nodes.len()) {
-            let true_db = loss_db(&antenna(last), &antenna(self.in_line));
-            hear(self.in_line, Side::Front, true_db, self.said[last]);
+        let in_line = self.members.in_line();
+        let ahead = in_line.and_then(|uav| self.members.ahead_of(self.members.place_of(uav)?));
+        if let (Some(uav), Some(ahead)) = (in_line, ahead) {
+            let true_db = loss_db(&antenna(ahead), &antenna(uav));
+            hear(uav, Side::Front, true_db, id(ahead), self.said[ahead]);
         }
         let Scenario { kalman, equalize, link, .. } = &self.course.scenario;
         self.base.ear.hear(at_base.as_ref(), None, equalize.decision_s, kalman, link);
@@ -186,43 +162,39 @@ impl Brains {
         }
     }
 
-    /// Who is in the air by these commands, and who waits in line: whoever gave them, a dead UAV does nothing any more.
+    /// Who is in the air by these commands: whoever gave them, a dead UAV does nothing any more.
     pub(super) fn take_off_and_land(&mut self, tick: u64, asked: &mut [Command]) {
-        let mut flying = std::mem::take(&mut self.flying);
-        flying.clear();
-        for (i, command) in asked.iter_mut().enumerate() {
-            if self.has_failed(i, tick) {
+        for (uav, command) in asked.iter_mut().enumerate() {
+            if self.has_failed(uav, tick) {
                 *command = Command::default();
             }
-            if command.airborne {
-                flying.push(i);
-            }
         }
-        self.flying = flying;
-        while self.in_line < asked.len()
-            && (asked[self.in_line].airborne || self.has_failed(self.in_line, tick))
-        {
-            self.in_line += 1;
-        }
+        self.members.fly(asked.iter().map(|command| command.airborne));
     }
 
     /// Links of the flying chain as of the last exchange, with the estimates of now.
     pub(super) fn links(&self) -> impl Iterator<Item = LinkFrame> {
         self.links.iter().enumerate().map(|(place, &(uav, true_db))| {
-            let behind = self.links.get(place + 1).map(|&(uav, _)| &self.nodes[uav]);
-            let rear_s = behind.map_or_else(|| self.base.ear.silent_s(), Node::front_silent_s);
+            let behind = self.links.get(place + 1).map(|&(behind, _)| self.nodes[behind].estimates().front);
+            let rear_s = behind.map_or_else(|| self.base.ear.silent_s(), |link| link.silent_s);
+            let back = self.nodes[uav].estimates().back;
             LinkFrame {
                 uav,
                 true_db,
-                filtered_db: self.nodes[uav].back_loss_db(),
-                raw_db: self.nodes[uav].back_raw_db(),
-                silence: Some(Silence { front_s: self.nodes[uav].back_silent_s(), rear_s }),
+                filtered_db: back.filtered_db,
+                raw_db: back.raw_db,
+                silence: Some(Silence { front_s: back.silent_s, rear_s }),
             }
         })
     }
 
     /// What its pilot's wish has become when overrides have had their say (m/s); `None` while the head cannot fly freely.
     pub(super) fn head_allowed_mps(&self) -> Option<f32> {
-        self.nodes.first().and_then(Node::allowed_mps)
+        self.members.leader().and_then(|head| self.nodes[head].estimates().allowed_mps)
+    }
+
+    /// What a UAV believes and why it asks for what it asks; `None` if there is none of this id, or its law does not say.
+    pub(super) fn explain(&self, uav: usize, seen: &[Observation]) -> Option<Explanation> {
+        self.nodes.get(uav)?.explain(seen.get(uav)?)
     }
 }

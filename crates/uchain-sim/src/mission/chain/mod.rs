@@ -4,8 +4,10 @@ mod brains;
 mod config;
 mod extensions;
 mod frame;
+mod law;
 #[cfg(feature = "record")]
 mod mcap;
+mod members;
 mod metrics;
 #[cfg(feature = "draw")]
 mod picture;
@@ -15,7 +17,7 @@ mod shown;
 use std::sync::Arc;
 
 use glam::Vec2;
-use uchain_core::chain::{Command, Observation};
+use uchain_core::chain::{Command, Explanation, Observation};
 
 use super::{Mission, Stopped};
 use crate::{
@@ -29,11 +31,13 @@ use crate::{
 
 use brains::Brains;
 pub use config::{ChainConfig, PilotStep, Scenario, UAVS_MAX};
-pub use extensions::ChainExtensions;
+pub use extensions::{ChainExtensions, MakeBrain};
 pub(crate) use frame::spread_db;
 pub use frame::{Frame, HeadFrame, History, LinkFrame, Moment, Silence, UavFrame};
+pub use law::{AnyBrain, Law, OwnLaw};
 #[cfg(feature = "record")]
 pub use mcap::McapRecorder;
+pub use members::{Member, MemberError, Members};
 pub use metrics::{LinkSummary, Metrics, Summary, Timeline};
 #[cfg(feature = "draw")]
 pub use picture::{plan_png, run_picture, run_png};
@@ -41,12 +45,15 @@ pub use scene::plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, 
 pub use scene::{Course, CourseOptimum, Spawn};
 pub use shown::{Moments, ThinnedHistory};
 
-/// A chain under way.
+/// A chain under way, of UAVs with the brains that its scenario asks for.
+pub type Chain<R = GridRays> = ChainOf<AnyBrain, R>;
+
+/// A chain under way, of UAVs with such brains.
 #[derive(Debug)]
-pub struct Chain<R = GridRays> {
+pub struct ChainOf<B, R = GridRays> {
     course: Arc<Course>,
     world: World,
-    brains: Brains,
+    brains: Brains<B>,
     senses: Senses<R>,
     trail: Trail,
     decision_ticks: u64,
@@ -89,7 +96,7 @@ fn spawns(course: &Course) -> impl Iterator<Item = (Vec2, f32)> {
     course.spawns.iter().map(|spawn| (spawn.at, spawn.heading_rad))
 }
 
-impl Mission for Chain {
+impl<B: Law> Mission for ChainOf<B> {
     type Scene = Course;
     type Observation = Observation;
     type Command = Command;
@@ -142,7 +149,7 @@ impl Mission for Chain {
 }
 
 #[cfg(feature = "oracles")]
-impl<R: Rays> Chain<R> {
+impl<B: Law, R: Rays> ChainOf<B, R> {
     /// The same chain with these rays and every UAV in rapier at every tick: the slow way, and the measure of
     /// [`Chain::start`] in tests and benchmarks. With [`Course::rays`] it has the same bits until something touches; with
     /// [`ParryRays`](crate::sense::ParryRays) it is what the libraries do by themselves.
@@ -152,7 +159,7 @@ impl<R: Rays> Chain<R> {
     }
 }
 
-impl<R: Rays> Chain<R> {
+impl<B: Law, R: Rays> ChainOf<B, R> {
     fn with(course: Arc<Course>, seed: u64, rays: Arc<R>, world: World) -> Self {
         let scenario = &course.scenario;
         let uavs = course.spawns.len();
@@ -219,6 +226,40 @@ impl<R: Rays> Chain<R> {
         Ok(stopped)
     }
 
+    /// Who is in the chain.
+    pub fn members(&self) -> &Members {
+        &self.brains.members
+    }
+
+    /// Gives a UAV that has none a place in the chain, 0 to lead it: all behind are one farther from the leader. On the
+    /// ground it takes off when it is its turn, as all do; in the air it is a link at once.
+    ///
+    /// # Errors
+    /// [`MemberError`]: no such UAV or place, it has a place already, or it has failed.
+    pub fn join(&mut self, uav: usize, place: usize) -> Result<(), MemberError> {
+        self.brains.members.join(uav, place)
+    }
+
+    /// Takes a UAV out of the chain, whose gap closes at the next decision. Nobody hears it any more, and it hears nobody:
+    /// with the built-in law it flies back the way it came.
+    ///
+    /// # Errors
+    /// [`MemberError`]: no such UAV, or it has no place.
+    pub fn leave(&mut self, uav: usize) -> Result<(), MemberError> {
+        self.brains.members.leave(uav)
+    }
+
+    /// What a UAV believes at this instant, and why it asks for what it asks: worked out now, for it is kept nowhere.
+    /// `None` if there is none of this id, or its law does not explain itself.
+    pub fn explain(&self, uav: usize) -> Option<Explanation> {
+        self.brains.explain(uav, &self.seen)
+    }
+
+    /// Tells a UAV how much of its battery's charge is left (0 to 1), which it senses from the next tick on.
+    pub fn set_battery(&mut self, uav: usize, charge: Option<f32>) {
+        self.world.set_battery(uav, charge);
+    }
+
     /// Whether radio and laws run at this tick.
     fn is_decision(&self) -> bool {
         self.tick.is_multiple_of(self.decision_ticks)
@@ -232,16 +273,19 @@ impl<R: Rays> Chain<R> {
         let decision = self.is_decision();
         self.brains.fail(self.tick, &mut self.world);
         let pilot = self.brains.pilot_at(time_s(self.tick));
+        let leader = self.brains.members.leader();
         let ranging = self.tick.is_multiple_of(self.senses.tof_ticks);
         for (i, body) in self.world.bodies().iter().enumerate() {
             let seen = &mut self.seen[i];
-            *seen = Observation { pilot: (i == 0).then_some(pilot), ..Observation::default() };
+            (seen.tof, seen.radio, seen.place, seen.ground_speed_mps) = (None, None, None, None);
+            seen.battery = body.battery;
+            seen.pilot = (Some(i) == leader).then_some(pilot);
             if ranging && body.airborne {
                 let exact = read_tof(&*self.senses.rays, &self.world, i, &self.senses.beams);
                 seen.tof = Some(self.senses.tof_noise[i].apply(exact));
             }
             if decision {
-                seen.ground_speed_mps = self.senses.flow[i].read(body);
+                seen.ground_speed_mps = Some(self.senses.flow[i].read(body));
             }
         }
         if decision {
@@ -282,18 +326,24 @@ impl<R: Rays> Chain<R> {
             uav_contacts: body.uav_contacts,
             tof: seen.tof,
         }));
-        let allowed_mps = self.brains.head_allowed_mps().filter(|_| self.world.bodies()[0].airborne);
-        frame.head = allowed_mps.map(|allowed_mps| HeadFrame {
-            pilot_mps: self.seen[0].pilot.unwrap_or_default().speed_mps,
-            allowed_mps,
-            asked_mps: self.asked[0].forward_mps,
-        });
+        let head = self.brains.members.leader();
+        frame.leader = head.unwrap_or(0);
+        let allowed_mps = self.brains.head_allowed_mps();
+        frame.head = head.zip(allowed_mps).filter(|&(head, _)| self.world.bodies()[head].airborne).map(
+            |(head, allowed_mps)| HeadFrame {
+                pilot_mps: self.seen[head].pilot.unwrap_or_default().speed_mps,
+                allowed_mps,
+                asked_mps: self.asked[head].forward_mps,
+            },
+        );
         if decision {
             frame.links.clear();
             frame.links.extend(self.brains.links());
-            let head = self.world.bodies()[0].at;
+            let head = head.map(|head| self.world.bodies()[head].at);
+            let reach_m =
+                head.and_then(|head| self.course.from_base.follow_m(self.world.map(), &mut self.trail, head));
             // A head pressed against a wall can stand a hair inside it; the last reach holds.
-            if let Some(reach_m) = self.course.from_base.follow_m(self.world.map(), &mut self.trail, head) {
+            if let Some(reach_m) = reach_m {
                 frame.head_reach_m = reach_m;
             }
         }

@@ -23,7 +23,7 @@ fn at(course: &Arc<Course>, time_s: f64) -> (Vec<Observation>, Frame) {
 
 /// Whom the head hears behind itself at this instant: for how long it has flown (s).
 fn heard_behind_head(seen: &[Observation]) -> f32 {
-    seen[0].radio.unwrap().back.unwrap().packet.flown_s
+    seen[0].radio.as_ref().unwrap().back(0).unwrap().packet.flown_s
 }
 
 #[test]
@@ -67,7 +67,8 @@ fn a_uav_that_fails_is_in_no_sensors_sight_from_that_instant_on() {
 #[test]
 fn the_next_in_line_listens_from_the_instant_on_at_which_the_one_before_it_fails() {
     let listens = |dead: &str, uav: usize| {
-        at(&course(dead), 10.0).0[uav].radio.is_some_and(|slot| slot.front.is_some())
+        let (seen, _) = at(&course(dead), 10.0);
+        seen[uav].radio.as_ref().is_some_and(|slot| slot.front(seen[uav].place.unwrap()).is_some())
     };
     assert!(!listens("{ uav = 1, start_s = 10 }", 1) && listens("{ uav = 1, start_s = 10 }", 2));
     assert!(listens("{ uav = 1, start_s = 10.2 }", 1) && !listens("{ uav = 1, start_s = 10.2 }", 2));

@@ -45,10 +45,14 @@ pub(crate) const KEYS: Keys = Keys {
 /// What a chain's scenario is read with where nobody asks which mission it is of.
 pub(crate) static KNOWN: LazyLock<KnownKeys> = LazyLock::new(|| KnownKeys::of(&[&KEYS]));
 
-/// A chain's scenario as JSON Schema.
+/// A chain's scenario as JSON Schema, with these words for whose law it flies by.
 #[cfg(feature = "schema")]
-pub(crate) fn schema() -> serde_json::Value {
-    crate::config::help::schema_of::<Scenario>()
+pub(crate) fn schema(brains: &[&str]) -> serde_json::Value {
+    let mut schema = crate::config::help::schema_of::<Scenario>();
+    if let Some(brain) = schema.pointer_mut("/properties/chain/properties/brain") {
+        brain["enum"] = brains.into();
+    }
+    schema
 }
 
 uchain_core::params! {
@@ -119,6 +123,10 @@ uchain_core::params! {
         /// - Symbol: `n`
         /// - Source: Laclau 2021, §3.1; a head and 3 relays in its §6.1.3
         pub uavs: usize, in 1..=1000;
+        /// Name of a law of one's own that all UAVs fly by, instead of the built-in one; the program that flies the
+        /// scenario brings it.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        pub brain: Option<String>;
         /// The base station (m).
         #[schemars(schema_with = "crate::config::help::shape::point")]
         pub base_m: [f64; 2];

@@ -6,6 +6,9 @@ use crate::record::{Difference, FieldDiff, Value, Whose};
 pub(crate) fn differences(frame: &Frame, there: &Frame, found: &mut dyn FnMut(Difference)) {
     let mut look = FieldDiff { tick: frame.tick, found };
     look.at(Whose::Frame, own(frame), own(there));
+    if frame.leader != there.leader {
+        look.at(Whose::Frame, leader(frame), leader(there));
+    }
     // What one of the two did not write cannot be compared.
     if let (Some(a), Some(b)) = (&frame.head, &there.head) {
         look.at(Whose::Frame, head(a), head(b));
@@ -29,6 +32,10 @@ fn own(frame: &Frame) -> [(&'static str, Value); 5] {
         ("links", Value::Count(frame.links.len() as u64)),
         ("head_reach_m", Value::Number(frame.head_reach_m)),
     ]
+}
+
+fn leader(frame: &Frame) -> [(&'static str, Value); 1] {
+    [("leader", Value::Count(frame.leader as u64))]
 }
 
 fn head(head: &HeadFrame) -> [(&'static str, Value); 3] {

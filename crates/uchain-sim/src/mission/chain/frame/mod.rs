@@ -42,7 +42,7 @@ pub struct UavFrame {
 /// One link of the flying chain, from a UAV to the next one in the air toward the base, or to the base.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LinkFrame {
-    /// The UAV at the link's front end, 0 = head.
+    /// The UAV at the link's front end.
     pub uav: usize,
     /// Loss without noise (dB).
     pub true_db: f32,
@@ -92,8 +92,10 @@ pub struct Frame {
     pub tick: u64,
     /// Whether radio and laws ran at this tick (positioning rate).
     pub decision: bool,
-    /// All UAVs, head first, those on the ground included.
+    /// All UAVs by id, those on the ground included.
     pub uavs: Vec<UavFrame>,
+    /// Id of the UAV that leads the chain, its head. Not part of the digest: it shows in what the UAVs do.
+    pub leader: usize,
     /// Links of the flying chain, head first; as of the last decision. Empty before the first one.
     pub links: Vec<LinkFrame>,
     /// Tunnel distance from the base to the head (m).
@@ -107,7 +109,7 @@ impl Frame {
     /// Whether the head was in the chain at the last exchange, and every link was heard within `lost_s`, both ways; `None`
     /// if nobody knows. An empty chain connects nobody.
     pub fn is_connected(&self, lost_s: f32) -> Option<bool> {
-        if self.links.first().is_none_or(|link| link.uav != 0) {
+        if self.links.first().is_none_or(|link| link.uav != self.leader) {
             return Some(false);
         }
         self.links.iter().map(|link| link.is_heard(lost_s)).try_fold(true, |all, heard| Some(all && heard?))

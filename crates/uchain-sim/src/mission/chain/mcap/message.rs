@@ -49,6 +49,8 @@ pub struct FrameMessage {
     link_silent_s: Vec<f32>,
     #[prost(float, repeated, tag = "19")]
     head_mps: Vec<f32>,
+    #[prost(uint32, tag = "22")]
+    leader: u32,
 }
 
 /// `uchain.Metrics`.
@@ -87,8 +89,9 @@ impl From<Moment> for MetricsMessage {
 impl FrameMessage {
     /// Takes a frame's values.
     fn fill(&mut self, frame: &Frame) {
-        let Frame { tick, decision, uavs, links, head_reach_m, head } = frame;
+        let Frame { tick, decision, uavs, leader, links, head_reach_m, head } = frame;
         (self.tick, self.decision, self.head_reach_m) = (*tick, *decision, *head_reach_m);
+        self.leader = *leader as u32;
         set(&mut self.x_m, uavs.iter().map(|uav| uav.x_m));
         set(&mut self.y_m, uavs.iter().map(|uav| uav.y_m));
         set(&mut self.heading_rad, uavs.iter().map(|uav| uav.heading_rad));
@@ -116,6 +119,7 @@ impl FrameMessage {
     fn pour(&self, frame: &mut Frame) -> Result<(), String> {
         self.check()?;
         (frame.tick, frame.decision, frame.head_reach_m) = (self.tick, self.decision, self.head_reach_m);
+        frame.leader = self.leader as usize;
         set(&mut frame.uavs, (0..self.x_m.len()).map_while(|i| self.uav(i)));
         set(&mut frame.links, (0..self.link_uav.len()).map_while(|i| self.link(i)));
         frame.head = match self.head_mps[..] {
@@ -192,6 +196,9 @@ impl FrameMessage {
                 let beams = self.tof_m.chunks(4).nth(uav).unwrap_or_default();
                 return Err(format!("tof_m = {beams:?} of UAV {uav}: expected four numbers, or none"));
             }
+        }
+        if self.leader != 0 && self.leader as usize >= uavs {
+            return Err(format!("leader = {}: expected one of {uavs} UAVs", self.leader));
         }
         let links = self.link_uav.len();
         let lengths = [

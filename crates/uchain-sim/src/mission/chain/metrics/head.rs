@@ -103,7 +103,7 @@ impl Head {
     }
 
     fn decision(&mut self, frame: &Frame, head: &HeadFrame, course: &Course) {
-        let Some(uav) = frame.uavs.first() else { return };
+        let Some(uav) = frame.uavs.get(frame.leader) else { return };
         let at = Vec2::new(uav.x_m, uav.y_m);
         let depth_m = match &course.tunnel {
             Some(tunnel) => tunnel.depth_m(at),

@@ -173,7 +173,7 @@ impl Metrics {
         self.worst_link_db = self.worst_link_db.into_iter().chain(true_db).max_by(f32::total_cmp);
         // Packets were exchanged before anybody took off or failed at this decision. Without its head the chain connects
         // nobody to the operator.
-        let has_head = frame.links.first().is_some_and(|link| link.uav == 0);
+        let has_head = frame.links.first().is_some_and(|link| link.uav == frame.leader);
         if has_head || self.flown > 0 {
             let connected = frame.is_connected(self.course.scenario.link.lost_s);
             let is_below = has_head && frame.links.iter().all(|link| link.true_db < self.limit_db);
@@ -199,7 +199,7 @@ impl Metrics {
             if self.at_the_end.front().is_some_and(is_old) { self.at_the_end.pop_front() } else { None };
         let mut kept = old.unwrap_or_default();
         kept.tick = frame.tick;
-        kept.head = frame.uavs.first().map_or(Vec2::NAN, |head| Vec2::new(head.x_m, head.y_m));
+        kept.head = frame.uavs.get(frame.leader).map_or(Vec2::NAN, |head| Vec2::new(head.x_m, head.y_m));
         kept.links.clone_from(&frame.links);
         self.at_the_end.push_back(kept);
     }

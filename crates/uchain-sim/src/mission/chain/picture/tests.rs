@@ -40,6 +40,7 @@ fn flight(course: &Course, seconds: u64) -> (History, Summary) {
             tick: 4 * k,
             decision: true,
             uavs: (0..n).map(uav).collect(),
+            leader: 0,
             links: (0..flying).map(link).collect(),
             head_reach_m: reach_m,
             head: None,

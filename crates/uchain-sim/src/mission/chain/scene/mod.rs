@@ -8,9 +8,10 @@ pub(super) mod plan;
 use std::sync::{Arc, OnceLock};
 
 use glam::Vec2;
+use uchain_core::chain::{Brain, NodeParams};
 
 use super::{
-    Chain, ChainExtensions, Scenario,
+    Chain, ChainExtensions, OwnLaw, Scenario,
     config::{KEYS, KNOWN, thresholds, values},
 };
 use crate::{
@@ -55,6 +56,8 @@ pub struct Course {
     pub path_loss: PathLoss,
     /// Distances to the walls, as the ToF sensors measure them.
     pub rays: Arc<GridRays>,
+    /// Whose law all UAVs fly by; `None`: the built-in node's.
+    pub law: Option<OwnLaw>,
     /// Drawn by the first [`Course::optimum`], shared by all runs.
     pub(crate) table: OnceLock<Arc<BottleneckTable>>,
     /// Tables shared with other courses.
@@ -79,10 +82,10 @@ impl Course {
     /// Lays out what a document says.
     pub(crate) fn from_document(
         document: &Document<'_>,
-        ChainExtensions {}: ChainExtensions,
+        extensions: ChainExtensions,
     ) -> Result<Arc<Self>, ConfigError> {
         let scenario = Scenario::from_document(document)?;
-        Self::lay_in(scenario, document, None, &Arc::default()).map(Arc::new)
+        Self::lay_in(scenario, document, None, &Arc::default(), extensions).map(Arc::new)
     }
 
     /// Builds the tunnel and finds everyone's place in it. `source` gives the folder for the map's path
@@ -94,7 +97,7 @@ impl Course {
     pub fn lay_out(scenario: Scenario, source: &Source) -> Result<Arc<Self>, ConfigError> {
         let document = Document::parse(source, &[], &KNOWN)?;
         values(&scenario, &document)?;
-        Self::lay_in(scenario, &document, None, &Arc::default()).map(Arc::new)
+        Self::lay_in(scenario, &document, None, &Arc::default(), Self::BUILTIN).map(Arc::new)
     }
 
     fn lay_in(
@@ -102,7 +105,9 @@ impl Course {
         document: &Document<'_>,
         built: Option<Map>,
         tables: &Arc<TableCache>,
+        extensions: ChainExtensions,
     ) -> Result<Self, ConfigError> {
+        let law = extensions.law(scenario.chain.brain.as_deref(), document)?;
         let (map, line) = match built {
             // A corridor is built all the same, as its middle comes with it.
             Some(map) if !matches!(scenario.map, MapConfig::Corridor(_)) => (map, None),
@@ -140,7 +145,51 @@ impl Course {
         let rays = Arc::new(GridRays::new(&map, scenario.tof.range_m));
         let (table, tables) = (OnceLock::new(), tables.clone());
         let map = Arc::new(map);
-        Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, rays, table, tables })
+        Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, rays, law, table, tables })
+    }
+
+    /// The same scenario, flown by a law of one's own: `make` makes the brain of a UAV, of its id and of what the scenario
+    /// says of the built-in laws. `name` is what the scenario says from now on (`chain.brain`): a recording tells whose law
+    /// was flown.
+    ///
+    /// ```
+    /// use uchain_libm as _; // the same bits on every system
+    /// use uchain_core::chain::{Brain, Command, Observation};
+    /// use uchain_sim::{config::builtin, mission::chain::Course, run::run};
+    /// #[derive(Debug)]
+    /// struct Hover;
+    /// impl Brain for Hover {
+    ///     fn decide(&mut self, _: &Observation) -> Command {
+    ///         Command { airborne: true, ..Command::default() }
+    ///     }
+    /// }
+    /// let course = Course::read(&builtin("corner").unwrap(), &["duration_s=5".into()]).unwrap();
+    /// let hovering = course.with_law("hover", |_, _| Hover);
+    /// assert_ne!(run(&course, 1, &mut ()).unwrap().digest, run(&hovering, 1, &mut ()).unwrap().digest);
+    /// ```
+    #[must_use]
+    pub fn with_law<B: Brain + 'static>(
+        &self,
+        name: &str,
+        make: impl Fn(usize, &NodeParams) -> B + Send + Sync + 'static,
+    ) -> Arc<Self> {
+        let mut course = self.clone();
+        course.scenario.chain.brain = Some(name.to_owned());
+        course.law = Some(OwnLaw::new(make));
+        Arc::new(course)
+    }
+
+    /// What the scenario says of the built-in laws.
+    pub fn node_params(&self) -> NodeParams {
+        let scenario = &self.scenario;
+        NodeParams {
+            kalman: scenario.kalman.clone(),
+            equalize: scenario.equalize.clone(),
+            center: scenario.center.clone(),
+            takeoff: scenario.takeoff.clone(),
+            link: scenario.link.clone(),
+            tof_range_m: scenario.tof.range_m,
+        }
     }
 
     /// How deep in the tunnel a place lies (m), negative behind the base; `None` where the tunnel's middle is not
@@ -162,7 +211,7 @@ impl Scene for Course {
     /// Tables of optima.
     type Shared = Arc<TableCache>;
     type Extensions = ChainExtensions;
-    const BUILTIN: ChainExtensions = ChainExtensions {};
+    const BUILTIN: ChainExtensions = ChainExtensions { brains: &[] };
     const KIND: &'static str = "a chain";
     const ROBOT: &'static str = "UAV";
     const KEYS: &'static Keys = &KEYS;
@@ -172,8 +221,8 @@ impl Scene for Course {
     }
 
     #[cfg(feature = "schema")]
-    fn schema(_: ChainExtensions) -> serde_json::Value {
-        super::config::schema()
+    fn schema(extensions: ChainExtensions) -> serde_json::Value {
+        super::config::schema(&extensions.words())
     }
 
     fn takes(document: &Document<'_>, _: ChainExtensions) -> bool {
@@ -189,11 +238,11 @@ impl Scene for Course {
         document: &Document<'_>,
         map: Option<Map>,
         shared: &Self::Shared,
-        ChainExtensions {}: ChainExtensions,
+        extensions: ChainExtensions,
     ) -> Result<Arc<Self>, ConfigError> {
         let scenario = Scenario::from_document(document)?;
         let was_flown = map.is_some();
-        let course = Self::lay_in(scenario, document, map, shared)?;
+        let course = Self::lay_in(scenario, document, map, shared, extensions)?;
         // What was recorded has been flown, whatever is asked of scenarios today.
         if !was_flown {
             thresholds(&course.scenario, document)?;
