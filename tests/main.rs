@@ -24,6 +24,8 @@ mod record;
 mod reset;
 /// A third mission, of which the library knows nothing.
 mod ring;
+/// What a recording says is the same wherever it goes: a file, memory, a socket.
+mod sinks;
 /// Many runs draw from streams of their own.
 mod sweep;
 /// One folder and one line in the registry are a mission.

@@ -140,9 +140,8 @@ fn a_slip_in_its_word_is_hinted_at_and_a_word_that_nobody_knows_is_refused() {
 
 #[test]
 fn a_word_that_means_two_strategies_is_refused() {
-    const TWICE: SiteExtensions = SiteExtensions {
-        strategies: &[StrategyKind::new("srg", "Not that one.", |_| Box::new(Cssg))],
-    };
+    const TWICE: SiteExtensions =
+        SiteExtensions { strategies: &[StrategyKind::new("srg", "Not that one.", |_| Box::new(Cssg))] };
     let read = |word: &str| {
         Site::read_with(&builtin("apartment").unwrap(), &[format!("explore.strategy={word}")], TWICE)
     };

@@ -1,7 +1,5 @@
 //! What a recording of a ring shows beside its frames.
 
-use std::io::Write;
-
 use foxglove::messages::{PosesInFrame, SceneUpdate};
 use glam::Vec2;
 use uchain_sim::{
@@ -31,13 +29,13 @@ impl Topics for RingTopics {
     type Scene = RingScene;
     type Frame = RingFrame;
 
-    fn start<W: Write>(scene: &RingScene, out: &mut Out<W>) -> Result<Self, RecordError> {
+    fn start(scene: &RingScene, out: &mut Out<'_>) -> Result<Self, RecordError> {
         let map = out.channel::<SceneUpdate>("/map")?;
         out.send(map, 0, &scene::map(&scene.map, None))?;
         Ok(Self { poses: out.channel::<PosesInFrame>("/poses")? })
     }
 
-    fn show<W: Write>(&mut self, frame: &RingFrame, out: &mut Out<W>) -> Result<(), RecordError> {
+    fn show(&mut self, frame: &RingFrame, out: &mut Out<'_>) -> Result<(), RecordError> {
         if !frame.tick.is_multiple_of(SHOWN_TICKS) {
             return Ok(());
         }

@@ -32,7 +32,10 @@ use crate::{
 pub use shown::{History, Shown, Timeline, thinned};
 
 #[cfg(feature = "record")]
-use crate::record::mcap::{About, McapRecorder, Recordable, Topics};
+use crate::record::{
+    Sink,
+    mcap::{About, McapRecorder, McapWriter, MessageRecorder, Recordable, Topics},
+};
 
 /// What describes the messages of our missions.
 #[cfg(feature = "record")]
@@ -250,8 +253,19 @@ impl<W: Write, T: Topics<Scene: Scene>> McapRecorder<W, T> {
     /// # Errors
     /// [`RecordError::Io`].
     pub fn start(to: W, scene: &T::Scene, seed: u64) -> Result<Self, RecordError> {
+        Self::start_in(McapWriter::begin(to)?, scene, seed)
+    }
+}
+
+#[cfg(feature = "record")]
+impl<S: Sink, T: Topics<Scene: Scene>> MessageRecorder<S, T> {
+    /// Begins a recording of a run, into a sink: see [`MessageRecorder::begin_in`].
+    ///
+    /// # Errors
+    /// [`RecordError::Io`].
+    pub fn start_in(sink: S, scene: &T::Scene, seed: u64) -> Result<Self, RecordError> {
         let scenario = scene.to_toml().map_err(std::io::Error::other)?;
-        Self::begin(to, &About::of(scenario, scene.map(), seed), scene.map(), scene)
+        Self::begin_in(sink, &About::of(scenario, scene.map(), seed), scene.map(), scene)
     }
 }
 

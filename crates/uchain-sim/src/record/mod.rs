@@ -1,12 +1,16 @@
-//! Who is shown the frames of a run, and what may stop it.
+//! Who is shown the frames of a run, and what may stop it; and where what a recording says of them goes.
 
 mod compare;
 #[cfg(feature = "record")]
 pub mod mcap;
+#[cfg(feature = "record")]
+mod sink;
 
 use std::fmt::Debug;
 
 pub use compare::{Comparison, Difference, FieldDiff, Value, Whose};
+#[cfg(feature = "record")]
+pub use sink::{Channel, Messages, Said, Schema, Sink};
 
 /// One instant of a run, whatever the mission: what recorders are shown at the end of every tick.
 pub trait Snapshot: Debug + Clone + PartialEq + Default + Send {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::{Sink, Watch, Whole, watch::tell};
+use super::{Output, Watch, Whole, watch::tell};
 use crate::{
     draw::DrawError,
     mission::{History, Mission, Recorded, Shown, Summary as _},
@@ -81,7 +81,7 @@ pub(super) struct Report<'a, T> {
 struct Prepared<S: Whole> {
     scene: Arc<S>,
     seed: u64,
-    recorder: Option<McapRecorder<Sink<'static>, <S::Mission as Recorded>::Topics>>,
+    recorder: Option<McapRecorder<Output<'static>, <S::Mission as Recorded>::Topics>>,
     history: <S::Mission as Shown>::History,
     flown: Option<(SummaryOf<S>, MetricsOf<S>)>,
 }
@@ -89,7 +89,7 @@ struct Prepared<S: Whole> {
 pub(super) fn prepare<S: Whole>(
     scene: Arc<S>,
     seed: u64,
-    recording: Option<Sink<'static>>,
+    recording: Option<Output<'static>>,
 ) -> Result<Box<dyn Flight>, RecordError> {
     let recorder = recording.map(|sink| McapRecorder::start(sink, &*scene, seed)).transpose()?;
     let history = <S::Mission as Shown>::History::of(&scene);

@@ -31,7 +31,7 @@ pub use mission::{AnyMission, Flown, Of, Whole};
 pub use recording::{AnyRecording, Inspection};
 pub use scene::AnyScene;
 #[cfg(feature = "record")]
-pub use scene::{RecordedRun, Sink};
+pub use scene::{Output, RecordedRun};
 pub use watch::{Now, Watch};
 
 /// The missions that a scenario or a recording may be of.

@@ -45,7 +45,7 @@ pub trait AnyScene: Debug + Send + Sync {
     /// # Errors
     /// The recording cannot be written.
     #[cfg(feature = "record")]
-    fn record<'a>(&self, seed: u64, to: Sink<'a>) -> Result<Box<dyn RecordedRun + 'a>, RecordError>;
+    fn record<'a>(&self, seed: u64, to: Output<'a>) -> Result<Box<dyn RecordedRun + 'a>, RecordError>;
     /// Names of the files that a run leaves beside its numbers, its picture and its recording.
     fn files(&self) -> &'static [&'static str];
     /// Gets ready for a run whose results are kept; a recording, if it is to leave one, begins at once.
@@ -56,7 +56,7 @@ pub trait AnyScene: Debug + Send + Sync {
     fn prepare(
         &self,
         seed: u64,
-        recording: Option<Sink<'static>>,
+        recording: Option<Output<'static>>,
     ) -> Result<Box<dyn super::Flight>, RecordError>;
     /// The scene itself, an `Arc<S>`.
     fn as_any(&self) -> &(dyn Any + Send + Sync);
@@ -71,7 +71,7 @@ impl dyn AnyScene + '_ {
 
 /// Where the bytes of a recording go.
 #[cfg(feature = "record")]
-pub type Sink<'a> = Box<dyn std::io::Write + 'a>;
+pub type Output<'a> = Box<dyn std::io::Write + 'a>;
 
 /// A run that leaves a recording, which has begun.
 #[cfg(feature = "record")]
@@ -93,7 +93,7 @@ pub trait RecordedRun {
 struct Recording<'a, S: Whole> {
     scene: Arc<S>,
     seed: u64,
-    recorder: McapRecorder<Sink<'a>, <S::Mission as Recorded>::Topics>,
+    recorder: McapRecorder<Output<'a>, <S::Mission as Recorded>::Topics>,
 }
 
 #[cfg(feature = "record")]
@@ -153,7 +153,7 @@ impl<S: Whole> AnyScene for Laid<S> {
     }
 
     #[cfg(feature = "record")]
-    fn record<'a>(&self, seed: u64, to: Sink<'a>) -> Result<Box<dyn RecordedRun + 'a>, RecordError> {
+    fn record<'a>(&self, seed: u64, to: Output<'a>) -> Result<Box<dyn RecordedRun + 'a>, RecordError> {
         let recorder = McapRecorder::start(to, &*self.0, seed)?;
         Ok(Box::new(Recording::<'a, S> { scene: self.0.clone(), seed, recorder }))
     }
@@ -166,7 +166,7 @@ impl<S: Whole> AnyScene for Laid<S> {
     fn prepare(
         &self,
         seed: u64,
-        recording: Option<Sink<'static>>,
+        recording: Option<Output<'static>>,
     ) -> Result<Box<dyn super::Flight>, RecordError> {
         super::flight::prepare(self.0.clone(), seed, recording)
     }

@@ -36,7 +36,7 @@ pub(crate) use frame::spread_db;
 pub use frame::{Frame, HeadFrame, History, LinkFrame, Moment, Silence, UavFrame};
 pub use law::{AnyBrain, Law, OwnLaw};
 #[cfg(feature = "record")]
-pub use mcap::McapRecorder;
+pub use mcap::{ChainTopics, McapRecorder};
 pub use members::{Member, MemberError, Members};
 pub use metrics::{LinkSummary, Metrics, Summary, Timeline};
 #[cfg(feature = "draw")]

@@ -38,7 +38,7 @@ pub(crate) use frame::{Odometer, Way};
 pub(crate) use ground::width_but_for_m;
 pub use ground::{Coverage, Ground, Passage, Passages, RosMap, Unseen, Width};
 #[cfg(feature = "record")]
-pub use mcap::ExploreRecorder;
+pub use mcap::{ExploreRecorder, ExploreTopics};
 pub use metrics::{
     ExploreHistory, ExploreMetrics, ExploreSummary, ExploreTimeline, Gap, Moment, States, Survey,
 };

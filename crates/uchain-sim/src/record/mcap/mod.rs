@@ -1,6 +1,7 @@
 //! Recordings: a run in one MCAP file, to look at in Foxglove or Rerun, to read back, to fly again.
 //!
-//! [`McapRecorder`] writes, [`Opened`] reads. mcap and foxglove live here only. What is in the file:
+//! [`McapRecorder`] writes, [`Opened`] reads. mcap and foxglove live here only. What is said is made by [`MessageRecorder`]
+//! and a mission's [`Topics`]; where it goes is up to a [`Sink`](crate::record::Sink). What is in the file:
 //!
 //! | where | what |
 //! |---|---|
@@ -38,12 +39,16 @@ mod read;
 mod recorder;
 pub mod scene;
 mod schema;
+mod writer;
 
 pub use about::About;
 pub use message::{Recordable, alike, bounded, few, number, set, small, word};
-pub use out::{Channel, Out};
+pub use out::Out;
 pub use read::{End, Frames, Opened, PlayError, ReadError};
-pub use recorder::{McapRecorder, Topics};
+pub use recorder::{McapRecorder, MessageRecorder, Topics};
+pub use writer::McapWriter;
+
+pub use crate::record::Channel;
 
 /// Topic of the frames.
 pub const FRAME_TOPIC: &str = "/frame";

@@ -1,45 +1,55 @@
-//! Writes a recording while a run flies.
+//! Makes a recording while a run flies.
 
 use std::io::Write;
 
-use super::{About, Channel, FRAME_TOPIC, Out, Recordable};
+use super::{About, FRAME_TOPIC, McapWriter, Out, Recordable, out::Encoding};
 use crate::{
     map::Map,
-    record::{RecordError, Recorder},
+    record::{Channel, RecordError, Recorder, Sink, Snapshot as _},
 };
 
-/// What a mission shows in its recordings beside its frames: topics in Foxglove's messages, and metrics.
+/// What a mission shows in its recordings beside its frames: topics in Foxglove's messages, and metrics. Where they go is
+/// not its concern.
 pub trait Topics: Sized + Send {
     /// What the mission is flown in.
     type Scene;
     /// Its frames.
     type Frame: Recordable;
 
-    /// Declares the topics, and writes what stands before the first tick.
+    /// Declares the topics, and says what stands before the first tick.
     ///
     /// # Errors
     /// [`RecordError::Io`].
-    fn start<W: Write>(scene: &Self::Scene, out: &mut Out<W>) -> Result<Self, RecordError>;
+    fn start(scene: &Self::Scene, out: &mut Out<'_>) -> Result<Self, RecordError>;
 
-    /// Writes what was sensed at the start of the tick, before the tick's own frame.
+    /// Says what was sensed at the start of the tick, before the tick's own frame.
     ///
     /// # Errors
     /// [`RecordError::Io`].
-    fn sensed<W: Write>(&mut self, _frame: &Self::Frame, _out: &mut Out<W>) -> Result<(), RecordError> {
+    fn sensed(&mut self, _frame: &Self::Frame, _out: &mut Out<'_>) -> Result<(), RecordError> {
         Ok(())
     }
 
-    /// Writes what is to be seen at the end of the tick.
+    /// Says what is to be seen at the end of the tick.
     ///
     /// # Errors
     /// [`RecordError::Io`].
-    fn show<W: Write>(&mut self, frame: &Self::Frame, out: &mut Out<W>) -> Result<(), RecordError>;
+    fn show(&mut self, frame: &Self::Frame, out: &mut Out<'_>) -> Result<(), RecordError>;
 }
 
-/// Records every frame of a run in MCAP.
+/// Says every frame of a run to a [`Sink`], and what its mission shows besides. Recording changes no bit of a run.
+pub struct MessageRecorder<S, T: Topics> {
+    sink: S,
+    encoding: Encoding,
+    channel: Channel,
+    message: <T::Frame as Recordable>::Message,
+    topics: T,
+}
+
+/// Records every frame of a run in MCAP, to anything that takes bytes: a file, a `Vec`, a `TcpStream`.
 ///
-/// What is written reaches the writer below chunk by chunk: a run that is killed loses at most the last 64 KiB.
-/// Recording changes no bit of a run.
+/// What is written reaches the writer below chunk by chunk: a run that is killed loses at most the last 64 KiB. The run
+/// waits for the writer: a peer that reads slowly slows it down, one that goes away ends it with an error.
 ///
 /// ```
 /// use uchain_libm as _; // the same bits on every system
@@ -53,16 +63,33 @@ pub trait Topics: Sized + Send {
 /// let course = recording.scene().unwrap();
 /// assert_eq!(recording.summary(&course, &mut ()).unwrap(), summary);
 /// ```
-pub struct McapRecorder<W: Write, T: Topics> {
-    out: Out<W>,
-    channel: Channel,
-    message: <T::Frame as Recordable>::Message,
-    topics: T,
+pub type McapRecorder<W, T> = MessageRecorder<McapWriter<W>, T>;
+
+impl<S, T: Topics> std::fmt::Debug for MessageRecorder<S, T> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("MessageRecorder").finish_non_exhaustive()
+    }
 }
 
-impl<W: Write, T: Topics> std::fmt::Debug for McapRecorder<W, T> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("McapRecorder").finish_non_exhaustive()
+impl<S: Sink, T: Topics> MessageRecorder<S, T> {
+    /// Begins a recording: what it is of, the walls, all that stands before the first tick. The sink has been asked to
+    /// hand that on when this returns.
+    ///
+    /// # Errors
+    /// [`RecordError::Io`].
+    pub fn begin_in(mut sink: S, about: &About, map: &Map, scene: &T::Scene) -> Result<Self, RecordError> {
+        let mut encoding = Encoding::of(T::Frame::PROTO);
+        let mut out = Out::new(&mut sink, &mut encoding);
+        out.begin(about, map)?;
+        let channel = out.own_channel(FRAME_TOPIC, T::Frame::MESSAGE)?;
+        let topics = T::start(scene, &mut out)?;
+        sink.flush()?;
+        Ok(Self { sink, encoding, channel, message: <T::Frame as Recordable>::Message::default(), topics })
+    }
+
+    /// Hands the sink back, as it is by now.
+    pub fn into_sink(self) -> S {
+        self.sink
     }
 }
 
@@ -73,11 +100,7 @@ impl<W: Write, T: Topics> McapRecorder<W, T> {
     /// # Errors
     /// [`RecordError::Io`].
     pub fn begin(to: W, about: &About, map: &Map, scene: &T::Scene) -> Result<Self, RecordError> {
-        let mut out = Out::begin(to, about, map, T::Frame::PROTO)?;
-        let channel = out.own_channel(FRAME_TOPIC, T::Frame::MESSAGE)?;
-        let topics = T::start(scene, &mut out)?;
-        out.flush()?;
-        Ok(Self { out, channel, message: <T::Frame as Recordable>::Message::default(), topics })
+        Self::begin_in(McapWriter::begin(to)?, about, map, scene)
     }
 
     /// Ends the recording with its index and hands the writer back. Without this the file is readable as well, but
@@ -86,16 +109,17 @@ impl<W: Write, T: Topics> McapRecorder<W, T> {
     /// # Errors
     /// [`RecordError::Io`].
     pub fn finish(self) -> Result<W, RecordError> {
-        self.out.finish()
+        self.sink.finish()
     }
 }
 
-impl<W: Write, T: Topics> Recorder<T::Frame> for McapRecorder<W, T> {
+impl<S: Sink, T: Topics> Recorder<T::Frame> for MessageRecorder<S, T> {
     fn frame(&mut self, frame: &T::Frame) -> Result<(), RecordError> {
-        use crate::record::Snapshot as _;
-        self.topics.sensed(frame, &mut self.out)?;
-        frame.fill(&mut self.message);
-        self.out.send(self.channel, frame.tick(), &self.message)?;
-        self.topics.show(frame, &mut self.out)
+        let Self { sink, encoding, channel, message, topics } = self;
+        let mut out = Out::new(sink, encoding);
+        topics.sensed(frame, &mut out)?;
+        frame.fill(message);
+        out.send(*channel, frame.tick(), message)?;
+        topics.show(frame, &mut out)
     }
 }

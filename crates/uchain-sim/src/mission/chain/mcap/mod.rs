@@ -6,8 +6,6 @@ mod poses;
 mod scans;
 mod scene;
 
-use std::io::Write;
-
 use foxglove::messages::{FrameTransforms, LaserScan, Log, PointCloud, PosesInFrame, SceneUpdate};
 
 use crate::{
@@ -65,7 +63,7 @@ impl Topics for ChainTopics {
     type Scene = Course;
     type Frame = Frame;
 
-    fn start<W: Write>(course: &Course, out: &mut Out<W>) -> Result<Self, RecordError> {
+    fn start(course: &Course, out: &mut Out<'_>) -> Result<Self, RecordError> {
         let channels = Channels {
             metrics: out.own_channel("/metrics", "Metrics")?,
             transforms: out.channel::<FrameTransforms>("/tf")?,
@@ -94,7 +92,7 @@ impl Topics for ChainTopics {
         Ok(topics)
     }
 
-    fn sensed<W: Write>(&mut self, frame: &Frame, out: &mut Out<W>) -> Result<(), RecordError> {
+    fn sensed(&mut self, frame: &Frame, out: &mut Out<'_>) -> Result<(), RecordError> {
         // Sensors read at the start of the tick, where the last one ended.
         let read_tick = frame.tick.saturating_sub(1);
         if read_tick.is_multiple_of(SHOWN_TICKS) && self.scans.update(frame) {
@@ -107,7 +105,7 @@ impl Topics for ChainTopics {
         Ok(())
     }
 
-    fn show<W: Write>(&mut self, frame: &Frame, out: &mut Out<W>) -> Result<(), RecordError> {
+    fn show(&mut self, frame: &Frame, out: &mut Out<'_>) -> Result<(), RecordError> {
         if frame.decision {
             let moment = MetricsMessage::from(Moment::of(frame, self.lost_s));
             out.send(self.channels.metrics, frame.tick, &moment)?;
@@ -123,7 +121,7 @@ impl Topics for ChainTopics {
 }
 
 impl ChainTopics {
-    fn show_bodies<W: Write>(&mut self, frame: &Frame, out: &mut Out<W>) -> Result<(), RecordError> {
+    fn show_bodies(&mut self, frame: &Frame, out: &mut Out<'_>) -> Result<(), RecordError> {
         let (channels, tick) = (&self.channels, frame.tick);
         out.write(channels.transforms, tick, |buffer| self.transforms.encode(frame, buffer))?;
         out.send(channels.poses, tick, self.poses.update(frame))?;

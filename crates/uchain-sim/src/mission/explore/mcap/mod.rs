@@ -4,8 +4,6 @@ mod events;
 mod message;
 mod scene;
 
-use std::io::Write;
-
 use foxglove::messages::{FrameTransform, FrameTransforms, Log, Pose, PosesInFrame, SceneUpdate, Vector3};
 
 use crate::{
@@ -62,7 +60,7 @@ impl Topics for ExploreTopics {
     type Scene = Site;
     type Frame = ExploreFrame;
 
-    fn start<W: Write>(site: &Site, out: &mut Out<W>) -> Result<Self, RecordError> {
+    fn start(site: &Site, out: &mut Out<'_>) -> Result<Self, RecordError> {
         let channels = Channels {
             metrics: out.own_channel("/metrics", "ExploreMetrics")?,
             transforms: out.channel::<FrameTransforms>("/tf")?,
@@ -90,7 +88,7 @@ impl Topics for ExploreTopics {
         })
     }
 
-    fn show<W: Write>(&mut self, frame: &ExploreFrame, out: &mut Out<W>) -> Result<(), RecordError> {
+    fn show(&mut self, frame: &ExploreFrame, out: &mut Out<'_>) -> Result<(), RecordError> {
         let progress = self.odometer.add(frame);
         let is_last = frame.stopped.is_some();
         if frame.decision || is_last {
@@ -111,7 +109,7 @@ impl Topics for ExploreTopics {
 }
 
 impl ExploreTopics {
-    fn decision<W: Write>(&mut self, frame: &ExploreFrame, out: &mut Out<W>) -> Result<(), RecordError> {
+    fn decision(&mut self, frame: &ExploreFrame, out: &mut Out<'_>) -> Result<(), RecordError> {
         let (channels, tick) = (&self.channels, frame.tick);
         if let Some(stars) = self.stars.update(frame) {
             out.send(channels.stars, tick, &stars)?;
