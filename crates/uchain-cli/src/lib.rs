@@ -1,7 +1,28 @@
-//! uchain on the command line: reads a scenario, flies it, leaves a summary, a picture and a recording; and tells what
-//! every key of a scenario means.
+//! `uchain` on the command line: reads a scenario, flies it, leaves a summary, a picture and a recording; sweeps, reports,
+//! plans, verifies and compares; and tells what every key of a scenario means. `uchain --help` lists the commands and the
+//! exit codes.
 //!
-//! A library, so that other front ends (a wheel's console script) can call [`main_with`].
+//! It is a library, so that a program of one's own can be the same command line with missions, laws, radios and strategies
+//! of its own:
+//!
+//! ```no_run
+//! use std::process::ExitCode;
+//!
+//! use uchain_libm as _; // the same bits on every system
+//! use uchain_sim::{
+//!     mission::{chain::Course, explore::Site},
+//!     registry::{AnyMission, Of, Registry},
+//! };
+//!
+//! // `Of::with` hands words of one's own to a mission that is there; a mission of one's own is one more line.
+//! static MISSIONS: [&dyn AnyMission; 2] = [&Of::<Course>::NEW, &Of::<Site>::NEW];
+//!
+//! fn main() -> ExitCode {
+//!     uchain_cli::main_with_missions(Registry::new(&MISSIONS), std::env::args_os())
+//! }
+//! ```
+//!
+//! Everything it does is a call of [`uchain_sim`] or `uchain_papers`; nothing here computes.
 
 mod args;
 mod exit;

@@ -3,8 +3,23 @@
 //!
 //! One file per item: scenario, design, metric, picture, verdict. [`ITEMS`] lists them, [`report`] puts them into words.
 //!
+//! ```no_run
+//! use uchain_libm as _; // equal bits on every system
+//! use uchain_papers::{Item, RunCache};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! // Items that show the same runs share them through the cache.
+//! let cache = RunCache::default();
+//! let outcome = Item::find("fig4e").ok_or("it is one of ITEMS")?.regenerate(&cache)?;
+//! for row in &outcome.rows {
+//!     println!("{}: published {}, ours {}", row.what, row.published, row.ours);
+//! }
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! Everything here is done with the public items of [`uchain_sim`] and [`uchain_core`], as in any study of a user's own.
-//! Equal bits on every system need the program's own line `use uchain_libm as _;`.
+//! Items take seconds to minutes on all processors; a run's numbers do not depend on how many there are.
 
 #[cfg(test)]
 use uchain_libm as _;

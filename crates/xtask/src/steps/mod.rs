@@ -2,6 +2,7 @@
 
 mod cargo;
 mod digest;
+mod examples;
 mod features;
 mod libm;
 mod locks;
@@ -55,6 +56,11 @@ pub(crate) const STEPS: &[Step] = &[
     Step { name: "doc", about: "the documentation builds without a warning", run: cargo::doc },
     Step { name: "test", about: "unit and integration tests", run: cargo::test },
     Step { name: "doctest", about: "examples in the documentation", run: cargo::doctest },
+    Step {
+        name: "examples",
+        about: "every program in examples/ runs and prints what it says",
+        run: examples::print_what_they_say,
+    },
     Step {
         name: "python",
         about: "Python's mcap and pyarrow find in recordings and sweeps what uchain finds",
