@@ -2,6 +2,16 @@
 //! std nor a heap; what stands in for the drone here does not need them either.
 //!
 //! `cargo run --release --example embedded_node`
+//!
+//! ```text
+//!   0 s: 0.00 m,  0.00 m/s
+//!  20 s: 4.27 m,  0.06 m/s
+//!  40 s: 4.50 m,  0.00 m/s
+//!  60 s: 4.50 m,  0.00 m/s
+//!  80 s: 4.50 m,  0.00 m/s
+//! 100 s: 4.50 m,  0.00 m/s
+//! back 57.5 dB, front 57.5 dB
+//! ```
 
 use uchain_core::chain::{
     BASE_ID, Brain as _, Command, Heard, Node, NodeParams, Observation, Packet, Role, Tof,
@@ -16,6 +26,10 @@ struct Drone {
     at_m: f32,
     /// Its speed (m/s).
     speed_mps: f32,
+    /// Half the width of the tunnel it is in the middle of (m).
+    half_width_m: f32,
+    /// What the radio driver sends next.
+    outbox: Packet,
 }
 
 impl Drone {
@@ -29,9 +43,9 @@ impl Drone {
         self.speed_mps
     }
 
-    /// The four diagonal beams (m), in the middle of a tunnel 0.8 m wide.
+    /// The four diagonal beams (m).
     fn tof(&self) -> Tof {
-        let clear_m = 0.57;
+        let clear_m = core::f32::consts::SQRT_2 * self.half_width_m;
         Tof { nw_m: clear_m, ne_m: clear_m, sw_m: clear_m, se_m: clear_m }
     }
 
@@ -47,7 +61,9 @@ impl Drone {
     }
 
     /// Hands what the node says to the radio driver.
-    fn send(&mut self, _: Packet) {}
+    fn send(&mut self, packet: Packet) {
+        self.outbox = packet;
+    }
 
     /// Asks the flight controller for a body velocity.
     fn fly(&mut self, command: Command) {
@@ -61,7 +77,7 @@ fn main() {
     let mut params = NodeParams::default();
     params.takeoff.s_min_db = 60.0;
     let mut node = Node::new(Role::Relay, params);
-    let mut drone = Drone { at_m: 0.0, speed_mps: 0.0 };
+    let mut drone = Drone { at_m: 0.0, speed_mps: 0.0, half_width_m: 0.4, outbox: Packet::default() };
 
     for tick in 0..LOOP_HZ * 120 {
         // ToF sensors bring something new at 10 Hz, and a decision is due at 5 Hz; in between there is nothing.

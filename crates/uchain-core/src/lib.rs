@@ -48,7 +48,7 @@
 //! | [`chain`] | U-Chain: Kalman filter of a link, equalization law (Eq. 12), centering (Eq. 20 and 21), take-off, overrides; [`chain::Node`] composes them | no |
 //! | [`flight`] | the PD law that keeps a quadrotor in the air (Kim 2021, §7.1) | no |
 //! | `explore` | CSSG: stars, frontiers, hubs, targets, levels, graph, strategies. Robots know their own *estimated* poses, their scans and what the others say | yes: feature `alloc` |
-//! | [`params`] | how a law declares its tunables: default, range and meaning in one place, [`params!`] | no |
+//! | [`mod@params`] | how a law declares its tunables: default, range and meaning in one place, [`params!`] | no |
 //!
 //! # Features
 //!
