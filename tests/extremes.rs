@@ -13,7 +13,7 @@ use uchain_core::{
 use uchain_sim::{
     config::builtin,
     mission::chain::{Course, Frame, Summary},
-    radio::{FaultConfig, PacketParams, PathLossParams},
+    radio::{FaultConfig, PacketParams, RadioParams},
     record::{RecordError, Recorder},
     run::run,
     sense::{FlowParams, TofParams},
@@ -26,7 +26,7 @@ const TABLES: [(&str, &[Key]); 10] = [
     ("equalize", EqualizeParams::KEYS),
     ("takeoff", TakeoffParams::KEYS),
     ("link", LinkParams::KEYS),
-    ("radio", PathLossParams::KEYS),
+    ("radio", RadioParams::KEYS),
     ("packets", PacketParams::KEYS),
     ("faults", FaultConfig::KEYS),
     ("tof", TofParams::KEYS),
@@ -38,7 +38,8 @@ const WHOLE: [&str; 2] = ["tof.rays", "packets.delay_ticks"];
 const TICKS: [&str; 2] = ["equalize.decision_s", "tof.period_s"];
 
 /// What is no number.
-const WORDS: [&str; 12] = [
+const WORDS: [&str; 13] = [
+    "radio={ model = \"disc\", range_m = 0.5 }",
     "link.base_flow=false",
     "link.gap=predict",
     "link.signal=raw",

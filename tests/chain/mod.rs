@@ -16,6 +16,8 @@ mod laws;
 mod members;
 /// A law of one's own flies where the built-in one does.
 mod own_law;
+/// What a link loses is one question with several answers, a user's own among them.
+mod radio;
 /// The shipped scenarios do what their descriptions say.
 mod scenarios;
 /// A run says what happened: as asked, or what went wrong.

@@ -13,7 +13,7 @@ use uchain_core::{
 use uchain_sim::{
     config::builtin,
     mission::{
-        Mission,
+        Mission, Scene as _,
         chain::{Chain, ChainExtensions, ChainOf, Course},
     },
     registry::{Of, Registry},
@@ -207,8 +207,10 @@ fn what_a_node_believes_is_worked_out_when_somebody_asks_and_changes_nothing() {
 }
 
 /// Chains that may be flown by a law of ours, by its name.
-const CHAINS: Of<Course> =
-    Of::with(ChainExtensions { brains: &[("mine", |uav, params| Box::new(Mine::new(uav, params)))] });
+const CHAINS: Of<Course> = Of::with(ChainExtensions {
+    brains: &[("mine", |uav, params| Box::new(Mine::new(uav, params)))],
+    ..Course::BUILTIN
+});
 
 #[test]
 fn a_law_has_its_name_in_every_command() {

@@ -97,7 +97,10 @@ const EXPLORATIONS: &[(&str, &str, bool)] = &[
     ("strategy = \"cssg\"", "strategy = \"csg\"", false),
     ("[[2.25, 5.0], ", "[[2.25], ", false),
     ("[map.walls]", "[map.wall]", false),
-    ("[explore]", "[radio]\nsigma_db = 1.0\n[explore]", false),
+    ("[explore]", "[link]\nlost_s = 1.0\n[explore]", false),
+    ("[explore]", "[radio]\nsigma_db = 1.0\n[packets]\ndrop_rate = 0\n[explore]", true),
+    ("[explore]", "[radio]\nsigma_db = -1.0\n[explore]", false),
+    ("[explore]", "[packets]\ndrop_rat = 0\n[explore]", false),
     ("[explore]", "[chain]\nuavs = 2\nbase_m = [0, 5]\n[explore]", false),
     ("[explore]", "[expolre]", false),
 ];

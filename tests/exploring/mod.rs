@@ -4,6 +4,7 @@ mod invariants;
 mod own_strategy;
 mod passages;
 mod paths;
+mod radio;
 mod real_maps;
 mod recording;
 mod strategies;

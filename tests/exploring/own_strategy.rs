@@ -47,6 +47,7 @@ const OWN: SiteExtensions = SiteExtensions {
         StrategyKind::new("my-holding", "As `cssg`, but robots hold.", |_| Box::new(Same(Cssg))).holding(),
         StrategyKind::new("in-turns", "Now this way, now that.", |_| Box::<InTurns>::default()),
     ],
+    ..Site::BUILTIN
 };
 
 static MISSIONS: [&dyn AnyMission; 2] = [&Of::<Course>::NEW, &Of::<Site>::with(OWN)];
@@ -140,8 +141,10 @@ fn a_slip_in_its_word_is_hinted_at_and_a_word_that_nobody_knows_is_refused() {
 
 #[test]
 fn a_word_that_means_two_strategies_is_refused() {
-    const TWICE: SiteExtensions =
-        SiteExtensions { strategies: &[StrategyKind::new("srg", "Not that one.", |_| Box::new(Cssg))] };
+    const TWICE: SiteExtensions = SiteExtensions {
+        strategies: &[StrategyKind::new("srg", "Not that one.", |_| Box::new(Cssg))],
+        ..Site::BUILTIN
+    };
     let read = |word: &str| {
         Site::read_with(&builtin("apartment").unwrap(), &[format!("explore.strategy={word}")], TWICE)
     };

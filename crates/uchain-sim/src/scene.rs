@@ -1,6 +1,10 @@
-//! Maps laid out as a scenario asks for them, and places in them.
+//! Maps and radio laid out as a scenario asks for them, and places in a map.
+
+mod radio;
 
 use glam::Vec2;
+
+pub use radio::lay_radio;
 
 use crate::{
     config::{ConfigError, CorridorConfig, Document, MapConfig, MovingAiConfig, RosConfig, WallsConfig},

@@ -29,6 +29,10 @@ pub enum Source {
     Position = 9,
     /// Seeds of the replicates of a sweep.
     Replicate = 10,
+    /// Packets between two that are no neighbours in a chain.
+    RadioPair = 11,
+    /// Bursts of lost packets between two that are no neighbours in a chain.
+    BurstPair = 12,
 }
 
 /// Seed of one run.
@@ -42,6 +46,14 @@ impl Seed {
         key[..8].copy_from_slice(&self.0.to_le_bytes());
         let mut rng = ChaCha8Rng::from_seed(key);
         rng.set_stream((u64::from(robot) << 8) | source as u64);
+        Stream(rng)
+    }
+
+    /// The stream of what happens between two robots at one tick: a function of its arguments alone, whatever was drawn for
+    /// others or before. It is one of 16 numbers; one that goes on runs into that of the next tick.
+    pub fn link_stream(self, from: u16, to: u16, source: Source, tick: u64) -> Stream {
+        let Stream(mut rng) = self.stream(u32::from(from) << 16 | u32::from(to), source);
+        rng.set_word_pos(16 * u128::from(tick));
         Stream(rng)
     }
 
@@ -87,6 +99,9 @@ impl Stream {
 pub struct Normal([f32; 2]);
 
 impl Normal {
+    /// No draw is farther from 0: one of 24 bits is 0, or at least 2⁻²⁴, and √(2 ln 2²⁴) is 5.77.
+    pub const MOST: f32 = 5.8;
+
     /// By Box and Muller, on `libm`.
     pub fn value(self) -> f32 {
         let [u, v] = self.0;
@@ -114,6 +129,31 @@ mod tests {
     }
 
     #[test]
+    fn what_happens_on_a_link_at_a_tick_is_drawn_from_nothing_else() {
+        let draws = |from, to, source, tick| {
+            let mut stream = Seed(1).link_stream(from, to, source, tick);
+            [(); 16].map(|()| stream.bits())
+        };
+        let first = draws(3, 4, Source::RadioPair, 7);
+        assert_eq!(first, draws(3, 4, Source::RadioPair, 7));
+        for other in [
+            draws(4, 3, Source::RadioPair, 7),
+            draws(3, 5, Source::RadioPair, 7),
+            draws(3, 4, Source::BurstPair, 7),
+            draws(3, 4, Source::RadioPair, 8),
+            draws(u16::MAX, u16::MAX, Source::RadioPair, u64::MAX >> 8),
+        ] {
+            assert!(first.iter().all(|draw| !other.contains(draw)), "{other:?}");
+        }
+        // The next tick goes on where this one ends.
+        let mut on = Seed(1).link_stream(3, 4, Source::RadioPair, 6);
+        for _ in 0..16 {
+            on.bits();
+        }
+        assert_eq!(on.bits(), first[0]);
+    }
+
+    #[test]
     fn seeds_of_replicates_are_pinned_and_never_repeat_within_a_sweep() {
         let first = [0, 1, 2].map(|replicate| Seed(1).replicate(replicate).0);
         assert_eq!(first, [316_819_790_161_494_059, 6_900_507_268_339_487_691, 4_646_504_056_920_253_644]);
@@ -134,5 +174,8 @@ mod tests {
         let beyond_2 = draws.iter().filter(|x| x.abs() > 2.0).count() as f64 / f64::from(n);
         assert!(mean.abs() < 0.01 && (variance - 1.0).abs() < 0.02, "{mean} {variance}");
         assert!((beyond_2 - 0.0455).abs() < 0.003, "{beyond_2}");
+        // The least and the greatest draws there are.
+        let ends = [0.0, 1.0 - 1.0 / 16_777_216.0].map(|u| Normal([u, 0.0]).value());
+        assert!(ends[0] == 0.0 && (5.7..Normal::MOST).contains(&ends[1]), "{ends:?}");
     }
 }

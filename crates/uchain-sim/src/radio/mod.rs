@@ -1,9 +1,21 @@
-//! Radio: how much a link loses, and which packets arrive.
+//! Radio in two questions: how much a link loses ([`RadioModel`]), and what is heard over it ([`Channel`]).
+//!
+//! A model knows no seed: the optimum, a plan and a run ask the same one. A channel belongs to one run; noise, random
+//! losses and planned faults are channels around each other. No law asks a model, and no optimum a channel.
 
+mod channel;
+mod disc;
 mod faults;
+mod model;
 mod packets;
+mod params;
 mod path_loss;
 
-pub use faults::{Dead, Deaf, DeafSide, FaultConfig, receiver};
-pub use packets::{PacketParams, Radio, Receiver, Side};
-pub use path_loss::{Antenna, PathLoss, PathLossParams, Shadowing};
+pub use channel::{Channel, Link, Received, Side, channel};
+pub use disc::Disc;
+pub use faults::{Dead, Deaf, DeafSide, FaultConfig};
+pub(crate) use model::finite_db;
+pub use model::{Antenna, MakeRadio, NO_LINK_DB, RadioError, RadioKind, RadioModel};
+pub use packets::PacketParams;
+pub use params::{RadioParams, Shadowing};
+pub use path_loss::PathLoss;

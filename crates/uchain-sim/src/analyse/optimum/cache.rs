@@ -6,25 +6,22 @@ use std::{
 };
 
 use super::BottleneckTable;
-use crate::{
-    map::{Segment, Tunnel},
-    radio::PathLossParams,
-};
+use crate::map::{Segment, Tunnel};
 
 /// Tables kept, each up to 5 MB.
 const KEPT: usize = 16;
 
-/// All that a table depends on: walls, the way between them, and losses without noise.
+/// All that a table depends on: walls, the way between them, and the model of the losses, by its
+/// [`key`](crate::radio::RadioModel::key).
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TableKey {
     walls: Vec<Segment>,
     tunnel: Tunnel,
-    radio: PathLossParams,
+    radio: String,
 }
 
 impl TableKey {
-    pub(crate) fn new(walls: &[Segment], tunnel: &Tunnel, radio: &PathLossParams) -> Self {
-        let radio = PathLossParams { sigma_db: 0.0, ..radio.clone() };
+    pub(crate) fn new(walls: &[Segment], tunnel: &Tunnel, radio: String) -> Self {
         Self { walls: walls.to_vec(), tunnel: tunnel.clone(), radio }
     }
 }
@@ -66,10 +63,15 @@ impl TableCache {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{config::builtin, mission::chain::Course};
+    use crate::{
+        config::builtin,
+        map::Map,
+        mission::chain::Course,
+        radio::{Antenna, RadioModel},
+    };
 
     fn corner(tables: &Arc<TableCache>, sets: &[&str]) -> std::sync::Arc<Course> {
-        let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
+        let sets: Vec<String> = sets.iter().flat_map(|set| set.split(' ')).map(ToOwned::to_owned).collect();
         let course = Course::read(&builtin("corner").unwrap(), &sets).unwrap();
         Arc::new(Course { tables: tables.clone(), ..(*course).clone() })
     }
@@ -92,9 +94,10 @@ mod tests {
             "radio.alpha_wall=5.5",
             "radio.reference_m=0.5",
             "radio.antenna_db=6",
+            "radio.model=disc radio.range_m=4",
             "map.corridor.width_m=1.1",
-            "chain.base_m=[1.1, 0.0]",
-            "chain.goal_m=[4.0, -5.0]",
+            "chain.base_m=[1.1,0.0]",
+            "chain.goal_m=[4.0,-5.0]",
         ] {
             let shared = corner(&tables, &[other]);
             assert!(!are_one(&first, &shared), "{other}");
@@ -105,13 +108,38 @@ mod tests {
         assert!(!are_one(&first, &corner(&Arc::default(), &[])));
     }
 
+    /// Twice what the scenario's own model says, and under a name or without one.
+    #[derive(Debug)]
+    struct Twice(Option<&'static str>, Arc<dyn RadioModel>);
+
+    impl RadioModel for Twice {
+        fn loss_db(&self, map: &Map, from: &Antenna, to: &Antenna) -> f32 {
+            2.0 * self.1.loss_db(map, from, to)
+        }
+
+        fn key(&self) -> Option<String> {
+            self.0.map(ToOwned::to_owned)
+        }
+    }
+
+    #[test]
+    fn models_of_ones_own_share_a_table_by_their_key_and_without_one_with_nobody() {
+        let tables = Arc::default();
+        let plain = corner(&tables, &[]);
+        let with = |key| plain.with_radio("twice", Arc::new(Twice(key, plain.radio.clone())));
+        let (first, second) = (with(Some("twice")), with(Some("twice")));
+        assert!(are_one(&first, &second) && !are_one(&first, &plain) && !are_one(&first, &with(Some("two"))));
+        let (alone, lonely) = (with(None), with(None));
+        assert!(!are_one(&alone, &lonely) && !are_one(&alone, &first));
+        assert_eq!(alone.optimum().unwrap().table(), first.optimum().unwrap().table());
+    }
+
     #[test]
     fn no_more_charts_are_kept_than_there_is_room_for_and_the_latest_stay() {
         let course = corner(&Arc::default(), &[]);
         let (tables, tunnel) = (TableCache::default(), course.tunnel.clone().unwrap());
         let get = |alpha_free: f32, drawn: &mut usize| {
-            let radio = PathLossParams { alpha_free, ..PathLossParams::default() };
-            tables.get(TableKey::new(&[], &tunnel, &radio), || {
+            tables.get(TableKey::new(&[], &tunnel, format!("free space {alpha_free}")), || {
                 *drawn += 1;
                 BottleneckTable::new(|_, _| 1.0, 1.0, 0.5, 1)
             });

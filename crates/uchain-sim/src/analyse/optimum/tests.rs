@@ -6,7 +6,7 @@ use uchain_core::bounded;
 use super::*;
 use crate::{
     map::{Map, Tunnel, Vertex, corridor},
-    radio::{Antenna, PathLoss, PathLossParams, Shadowing},
+    radio::{Antenna, PathLoss, RadioModel, RadioParams, Shadowing},
     seed::{Seed, Source, Stream},
 };
 
@@ -45,7 +45,7 @@ impl Case {
             // Nearly half of the lines cross themselves or have a leg too short for its corners.
             let Ok((map, line)) = corridor(&corners, width_m, false) else { continue };
             let (base, heading_rad) = line.at(0.3);
-            let params = PathLossParams { shadowing, alpha_wall, ..PathLossParams::default() };
+            let params = RadioParams { shadowing, alpha_wall, ..RadioParams::default() };
             let path_loss = PathLoss::new(params, &map).unwrap();
             return Self { map, tunnel: Tunnel::new(line, base, heading_rad), path_loss };
         }

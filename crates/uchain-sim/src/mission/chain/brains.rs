@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
-use uchain_core::chain::{BASE_ID, Command, End, Explanation, LinkEnd, Observation, Packet, PilotInput};
+use uchain_core::chain::{
+    BASE_ID, Command, End, Explanation, Heard, LinkEnd, Observation, Packet, PilotInput,
+};
 
 use crate::{
     clock::time_s,
     mission::chain::{Course, Law, LinkFrame, Members, Scenario, Silence},
-    radio::{Antenna, Receiver, Side, receiver},
+    radio::{Antenna, Channel, Link, Side, channel},
     seed::Seed,
     world::World,
 };
@@ -18,8 +20,9 @@ pub(super) struct Brains<B> {
     course: Arc<Course>,
     nodes: Vec<B>,
     pub(super) members: Members,
-    receivers: Vec<Box<dyn Receiver>>,
-    base: BaseStation,
+    radio: Box<dyn Channel<Packet>>,
+    /// The other end of the last link, the base: it hears the last UAV, and has nothing to decide.
+    base: LinkEnd,
     said: Vec<Packet>,
     /// When each UAV fails, if it is planned to (s); empty if none is.
     fails_s: Vec<Option<f64>>,
@@ -27,17 +30,15 @@ pub(super) struct Brains<B> {
     links: Vec<(usize, f32)>,
 }
 
-/// What one of the chain hears by.
-fn receiver_of(course: &Course, seed: Seed, i: usize) -> Box<dyn Receiver> {
-    let scenario = &course.scenario;
-    receiver(seed, i, scenario.radio.sigma_db, &scenario.packets, &scenario.faults)
+/// The radio of a run.
+fn radio_of(course: &Course, seed: Seed) -> Box<dyn Channel<Packet>> {
+    let Scenario { radio, packets, faults, .. } = &course.scenario;
+    channel(seed, base_of(course) + 1, radio.sigma_db, packets, faults)
 }
 
-/// The other end of the last link: it hears the last UAV, and has nothing to decide.
-#[derive(Debug)]
-struct BaseStation {
-    receiver: Box<dyn Receiver>,
-    ear: LinkEnd,
+/// The base as a receiver: one number beyond the UAVs', so that it draws from streams of its own.
+fn base_of(course: &Course) -> u16 {
+    course.spawns.len() as u16
 }
 
 impl<B: Law> Brains<B> {
@@ -55,8 +56,8 @@ impl<B: Law> Brains<B> {
         let mut brains = Self {
             nodes: Vec::with_capacity(count),
             members: Members::new(count),
-            receivers: Vec::with_capacity(count),
-            base: BaseStation { receiver: receiver_of(&course, seed, count), ear: LinkEnd::new(End::Rear) },
+            radio: radio_of(&course, seed),
+            base: LinkEnd::new(End::Rear),
             said: Vec::with_capacity(count),
             fails_s,
             links: Vec::with_capacity(count),
@@ -72,10 +73,8 @@ impl<B: Law> Brains<B> {
         self.nodes.clear();
         self.nodes.extend((0..count).map(|i| B::of(course, i)));
         self.members.reset(count);
-        self.receivers.clear();
-        self.receivers.extend((0..count).map(|i| receiver_of(course, seed, i)));
-        // One number beyond the UAVs', so that it draws from streams of its own.
-        self.base = BaseStation { receiver: receiver_of(course, seed, count), ear: LinkEnd::new(End::Rear) };
+        self.radio = radio_of(course, seed);
+        self.base = LinkEnd::new(End::Rear);
         self.said.clear();
         self.links.clear();
     }
@@ -119,39 +118,41 @@ impl<B: Law> Brains<B> {
             Antenna { at: body.at, heading_rad: Some(body.heading_rad()) }
         };
         let base = course.base.into();
-        let loss_db = |from: &Antenna, to: &Antenna| course.path_loss.loss_db(&course.map, from, to);
-        let mut hear = |to: usize, side, true_db, from, packet| {
-            if let Some(heard) = self.receivers[to].receive(tick, side, true_db, from, packet)
-                && let Some(slot) = &mut seen[to].radio
-            {
+        let mut transfer = |from: u16, to: u16, side, true_db, packet| {
+            let link = Link { from, to, side: Some(side) };
+            let received = self.radio.transfer(link, tick, true_db, packet)?;
+            Some(Heard { from: received.from, loss_db: received.loss_db, packet: received.payload })
+        };
+        let id = |uav: usize| uav as u16;
+        let mut hear = |to: usize, heard: Option<Heard>| {
+            if let (Some(heard), Some(slot)) = (heard, &mut seen[to].radio) {
                 slot.push(heard);
             }
         };
-        let id = |uav: usize| uav as u16;
         let mut at_base = None;
         self.links.clear();
         let flying = self.members.flying();
         for (i, &uav) in flying.iter().enumerate() {
             if let Some(&behind) = flying.get(i + 1) {
-                let true_db = loss_db(&antenna(uav), &antenna(behind));
-                hear(uav, Side::Back, true_db, id(behind), self.said[behind]);
-                hear(behind, Side::Front, true_db, id(uav), self.said[uav]);
+                let true_db = course.loss_db(&antenna(uav), &antenna(behind));
+                hear(uav, transfer(id(behind), id(uav), Side::Back, true_db, self.said[behind]));
+                hear(behind, transfer(id(uav), id(behind), Side::Front, true_db, self.said[uav]));
                 self.links.push((uav, true_db));
             } else {
-                let true_db = loss_db(&antenna(uav), &base);
-                hear(uav, Side::Back, true_db, BASE_ID, Packet::BASE);
-                at_base = self.base.receiver.receive(tick, Side::Front, true_db, id(uav), self.said[uav]);
+                let true_db = course.loss_db(&antenna(uav), &base);
+                hear(uav, transfer(BASE_ID, id(uav), Side::Back, true_db, Packet::BASE));
+                at_base = transfer(id(uav), base_of(course), Side::Front, true_db, self.said[uav]);
                 self.links.push((uav, true_db));
             }
         }
         let in_line = self.members.in_line();
         let ahead = in_line.and_then(|uav| self.members.ahead_of(self.members.place_of(uav)?));
         if let (Some(uav), Some(ahead)) = (in_line, ahead) {
-            let true_db = loss_db(&antenna(ahead), &antenna(uav));
-            hear(uav, Side::Front, true_db, id(ahead), self.said[ahead]);
+            let true_db = course.loss_db(&antenna(ahead), &antenna(uav));
+            hear(uav, transfer(id(ahead), id(uav), Side::Front, true_db, self.said[ahead]));
         }
         let Scenario { kalman, equalize, link, .. } = &self.course.scenario;
-        self.base.ear.hear(at_base.as_ref(), None, equalize.decision_s, kalman, link);
+        self.base.hear(at_base.as_ref(), None, equalize.decision_s, kalman, link);
     }
 
     /// Every brain sees the same instant and asks; a dead one asks for nothing any more.
@@ -176,7 +177,7 @@ impl<B: Law> Brains<B> {
     pub(super) fn links(&self) -> impl Iterator<Item = LinkFrame> {
         self.links.iter().enumerate().map(|(place, &(uav, true_db))| {
             let behind = self.links.get(place + 1).map(|&(behind, _)| self.nodes[behind].estimates().front);
-            let rear_s = behind.map_or_else(|| self.base.ear.silent_s(), |link| link.silent_s);
+            let rear_s = behind.map_or_else(|| self.base.silent_s(), |link| link.silent_s);
             let back = self.nodes[uav].estimates().back;
             LinkFrame {
                 uav,

@@ -3,7 +3,10 @@
 use uchain_core::chain::{Brain, NodeParams};
 
 use super::OwnLaw;
-use crate::config::{ConfigError, Document};
+use crate::{
+    config::{ConfigError, Document},
+    radio::RadioKind,
+};
 
 /// A brain of one's own for a UAV, by its id and by what the scenario says of the built-in laws.
 pub type MakeBrain = fn(uav: usize, params: &NodeParams) -> Box<dyn Brain>;
@@ -26,7 +29,7 @@ pub type MakeBrain = fn(uav: usize, params: &NodeParams) -> Box<dyn Brain>;
 ///     }
 /// }
 /// const CHAIN: Of<Course> =
-///     Of::with(ChainExtensions { brains: &[("hover", |_, _| Box::new(Hover))]});
+///     Of::with(ChainExtensions { brains: &[("hover", |_, _| Box::new(Hover))], ..Course::BUILTIN });
 /// let registry = Registry::new(&[&CHAIN]);
 /// assert!(registry.read(&builtin("corner").unwrap(), &["chain.brain=hover".into()]).is_ok());
 /// let error = registry.read(&builtin("corner").unwrap(), &["chain.brain=hovr".into()]).unwrap_err();
@@ -36,6 +39,8 @@ pub type MakeBrain = fn(uav: usize, params: &NodeParams) -> Box<dyn Brain>;
 pub struct ChainExtensions {
     /// Laws of one's own, by the word that `chain.brain` has for them.
     pub brains: &'static [(&'static str, MakeBrain)],
+    /// Models that `radio.model` may name. None has the word of a built-in one, or of another of them.
+    pub radios: &'static [RadioKind],
 }
 
 impl ChainExtensions {

@@ -21,6 +21,7 @@ use crate::{
         Scene as _,
         explore::{Site, SiteExtensions},
     },
+    radio::{Disc, PacketParams, RadioParams},
     world::QuadrotorParams,
 };
 
@@ -29,10 +30,14 @@ const BELONGS_TO_A_CHAIN: &str =
     "belongs to a chain, and a scenario with [explore] is an exploration; expected one of the two";
 
 /// Keys of a scenario that only chains have, in the order in which they are looked for.
-const CHAIN_ONLY: [&str; 14] = [
-    "chain", "pilot", "preset", "kalman", "equalize", "center", "takeoff", "link", "radio", "packets",
-    "faults", "tof", "flow", "motion",
+const CHAIN_ONLY: [&str; 12] = [
+    "chain", "pilot", "preset", "kalman", "equalize", "center", "takeoff", "link", "faults", "tof", "flow",
+    "motion",
 ];
+
+/// Tables of a chain that an exploration may have as well.
+const RADIO: &str = "radio";
+const PACKETS: &str = "packets";
 
 /// The table that makes a scenario an exploration.
 const EXPLORE: Key = Key {
@@ -53,6 +58,8 @@ pub(crate) const KEYS: Keys = Keys {
         (EXPLORE.name, TeamConfig::KEYS),
         (EXPLORE.name, ExploreParams::KEYS),
         ("explore.quadrotor", QuadrotorParams::KEYS),
+        (RADIO, RadioParams::KEYS),
+        (PACKETS, PacketParams::KEYS),
     ],
     renamed: &[],
 };
@@ -63,7 +70,10 @@ pub(crate) static KNOWN: LazyLock<KnownKeys> = LazyLock::new(|| KnownKeys::of(&[
 /// An exploration's scenario as JSON Schema.
 #[cfg(feature = "schema")]
 pub(crate) fn schema(extensions: SiteExtensions) -> serde_json::Value {
-    use crate::config::help::{schema_of, schema_with_table};
+    use crate::{
+        config::help::{schema_of, schema_with_table},
+        radio::RadioKind,
+    };
 
     let mut params = schema_of::<ExploreParams>();
     if let Some(words) = params["properties"][STRATEGY]["oneOf"].as_array_mut() {
@@ -71,7 +81,12 @@ pub(crate) fn schema(extensions: SiteExtensions) -> serde_json::Value {
             |own| serde_json::json!({ "type": "string", "const": own.word(), "description": own.meaning() }),
         ));
     }
-    schema_with_table(&EXPLORE, [schema_of::<TeamConfig>(), params])
+    let mut schema = schema_with_table(&EXPLORE, [schema_of::<TeamConfig>(), params]);
+    let mut radio = schema_of::<RadioParams>();
+    RadioKind::add_to_schema(extensions.radios, &mut radio);
+    schema["properties"][RADIO] = radio;
+    schema["properties"][PACKETS] = schema_of::<PacketParams>();
+    schema
 }
 
 /// One exploration of one map. In the file, [`TeamConfig`] and [`ExploreParams`] are one table, `[explore]`.
@@ -89,6 +104,10 @@ pub struct ExploreScenario {
     pub team: TeamConfig,
     /// How they do.
     pub params: ExploreParams,
+    /// What a link between robots loses, and its noise; `None`: all hear all, or all within `explore.range_m`.
+    pub radio: Option<RadioParams>,
+    /// Delivery of packets over `radio`.
+    pub packets: PacketParams,
 }
 
 /// What flies.
@@ -192,6 +211,10 @@ impl ExploreScenario {
             duration_s: f64,
             map: &'a MapConfig,
             explore: Table<'a>,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            radio: Option<&'a RadioParams>,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            packets: Option<&'a PacketParams>,
         }
         #[derive(Serialize)]
         struct Table<'a> {
@@ -200,13 +223,15 @@ impl ExploreScenario {
             #[serde(flatten)]
             params: &'a ExploreParams,
         }
-        let Self { name, description, duration_s, map, team, params } = self;
+        let Self { name, description, duration_s, map, team, params, radio, packets } = self;
         toml::to_string(&File {
             name,
             description,
             duration_s: *duration_s,
             map,
             explore: Table { team, params },
+            radio: radio.as_ref(),
+            packets: radio.as_ref().map(|_| packets),
         })
     }
 
@@ -227,7 +252,9 @@ impl ExploreScenario {
         if let Some(key) = CHAIN_ONLY.iter().find(|key| document.has(key)) {
             return Err(document.invalid(key, "{ … }", BELONGS_TO_A_CHAIN));
         }
-        let [heading, table] = document.without(EXPLORE.name);
+        let [mut heading, table] = document.without(EXPLORE.name);
+        let has_radio = document.has(RADIO) || document.has(PACKETS);
+        let [radio, packets] = [RADIO, PACKETS].map(|name| take(&mut heading, name));
         let [team, mut params] = split(table);
         let own = own_strategy(&mut params, document, extensions)?;
         let heading =
@@ -237,8 +264,13 @@ impl ExploreScenario {
         let mut params = ExploreParams::deserialize(ValueDeserializer::from(params))
             .map_err(|error| with_own_words(with_team_keys(explain(&error, document)), extensions))?;
         params.strategy = own.unwrap_or(params.strategy);
+        let radio =
+            RadioParams::deserialize(ValueDeserializer::from(radio)).map_err(|e| explain(&e, document))?;
+        let packets =
+            PacketParams::deserialize(ValueDeserializer::from(packets)).map_err(|e| explain(&e, document))?;
+        let radio = has_radio.then_some(radio);
         let Heading { name, description, duration_s, map } = heading;
-        Ok(Self { name, description, duration_s, map, team, params })
+        Ok(Self { name, description, duration_s, map, team, params, radio, packets })
     }
 
     /// The first value outside its range.
@@ -263,18 +295,44 @@ impl ExploreScenario {
         }
         let range_m = self.team.range_m.map(f64::from);
         range_m.map_or(Ok(()), |range_m| check.range("explore.range_m", range_m, 0.1, 1_000_000.0))?;
-        // Robots that would meet within the round have to hear of each other.
-        let least_m = 2.0 * self.params.r_s_m + self.params.conflict_m();
-        match self.team.range_m {
-            Some(range_m) if range_m < least_m => {
-                let expected = format!(
-                    "must be at least {least_m}: two moves of r_s_m and the air between robots; without it all hear all"
-                );
-                Err(check.invalid("explore.range_m", &range_m, expected))
+        if let Some(radio) = &self.radio {
+            check.ranged(RADIO, radio.check_all())?;
+            check.ranged(PACKETS, self.packets.check())?;
+            if let Some(range_m) = self.team.range_m {
+                let expected = "a range of messages beside a radio, which has its own; expected one of the two, such as \
+                                --set radio.model=disc --set radio.range_m=…";
+                return Err(check.invalid("explore.range_m", &range_m, expected));
             }
-            _ => Ok(()),
+            if self.packets.delay_ticks > 0 {
+                let expected = "robots answer each other within a round; expected 0, as only packets of a chain are late";
+                return Err(check.invalid("packets.delay_ticks", &self.packets.delay_ticks, expected));
+            }
+        }
+        // Robots that would meet within the round have to hear of each other.
+        let least_m = self.range_needed_m();
+        let needed = format!("must be at least {least_m}: two moves of r_s_m and the air between robots");
+        let disc = self.radio.as_ref().filter(|radio| radio.model == Disc::WORD);
+        let too_near = |range_m: &f32| *range_m < least_m;
+        if let Some(range_m) = self.team.range_m.filter(too_near) {
+            return Err(check.invalid("explore.range_m", &range_m, needed + "; without it all hear all"));
+        }
+        match disc.and_then(|radio| radio.range_m).filter(too_near) {
+            Some(range_m) => Err(check.invalid("radio.range_m", &range_m, needed)),
+            None => Ok(()),
         }
     }
+
+    /// How far apart robots are at most that could meet within a round (m).
+    fn range_needed_m(&self) -> f32 {
+        2.0 * self.params.r_s_m + self.params.conflict_m()
+    }
+}
+
+/// A table at the top, taken out of what is left of a document; an empty one if it is not there.
+fn take<'i>(top: &mut Spanned<DeValue<'i>>, name: &str) -> Spanned<DeValue<'i>> {
+    let empty = Spanned::new(top.span(), DeValue::Table(DeTable::new()));
+    let DeValue::Table(top) = top.get_mut() else { return empty };
+    top.remove(name).unwrap_or(empty)
 }
 
 /// The table `[explore]` in two: what is said of the team, and all else. Every value keeps its span.

@@ -2,6 +2,8 @@
 
 use uchain_core::explore::StrategyKind;
 
+use crate::radio::RadioKind;
+
 /// Answers of a program's own that an exploration's scenario may name, beside those that are built in. Write what is not
 /// given as `..Site::BUILTIN`: more kinds of answers may come.
 ///
@@ -28,6 +30,8 @@ use uchain_core::explore::StrategyKind;
 pub struct SiteExtensions {
     /// Strategies that `explore.strategy` may name. None has the word of a built-in one, or of another of them.
     pub strategies: &'static [StrategyKind],
+    /// Models that `radio.model` may name. None has the word of a built-in one, or of another of them.
+    pub radios: &'static [RadioKind],
 }
 
 impl SiteExtensions {

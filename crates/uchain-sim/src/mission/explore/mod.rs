@@ -26,6 +26,7 @@ use super::{Mission, Stopped};
 
 use crate::{
     clock::{total_ticks, whole_ticks},
+    radio::Antenna,
     seed::{Seed, Source, Stream},
     sense::Scanner,
     world::{Waypoint, World},
@@ -148,8 +149,11 @@ impl Mission for Exploration {
         if !self.decision {
             return;
         }
-        let places: Vec<Point> = self.stood.iter().copied().map(point).collect();
-        self.over = self.team.round(&self.seen, &places);
+        let antennas = self.stood.iter().zip(&self.seen);
+        let antennas = antennas
+            .map(|(&at, seen)| Antenna { at, heading_rad: Some(seen.pose.heading_rad) })
+            .collect::<Vec<_>>();
+        self.over = self.team.round(self.tick, &self.seen, &antennas);
         commands.extend_from_slice(self.team.commands());
     }
 

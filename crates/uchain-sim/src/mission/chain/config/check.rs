@@ -118,7 +118,7 @@ fn params(check: &Check<'_>, scenario: &Scenario) -> Result<(), ConfigError> {
         ("center", scenario.center.check()),
         ("takeoff", scenario.takeoff.check()),
         ("link", scenario.link.check()),
-        ("radio", scenario.radio.check()),
+        ("radio", scenario.radio.check_all()),
         ("packets", scenario.packets.check()),
         ("tof", scenario.tof.check()),
         ("flow", scenario.flow.check()),

@@ -10,7 +10,7 @@ use uchain_core::chain::{CenterParams, EqualizeParams, Follow, KalmanParams, Lin
 
 use crate::{
     config::{ConfigError, Document, Keys, KnownKeys, MapConfig, Source, explain_error},
-    radio::{Dead, Deaf, FaultConfig, PacketParams, PathLossParams},
+    radio::{Dead, Deaf, FaultConfig, PacketParams, RadioParams},
     sense::{FlowParams, TofParams},
     world::MotionParams,
 };
@@ -30,7 +30,7 @@ pub(crate) const KEYS: Keys = Keys {
         ("center", CenterParams::KEYS),
         ("takeoff", TakeoffParams::KEYS),
         ("link", LinkParams::KEYS),
-        ("radio", PathLossParams::KEYS),
+        ("radio", RadioParams::KEYS),
         ("packets", PacketParams::KEYS),
         ("faults", FaultConfig::KEYS),
         ("faults.deaf.0", Deaf::KEYS),
@@ -47,11 +47,12 @@ pub(crate) static KNOWN: LazyLock<KnownKeys> = LazyLock::new(|| KnownKeys::of(&[
 
 /// A chain's scenario as JSON Schema, with these words for whose law it flies by.
 #[cfg(feature = "schema")]
-pub(crate) fn schema(brains: &[&str]) -> serde_json::Value {
+pub(crate) fn schema(extensions: super::ChainExtensions) -> serde_json::Value {
     let mut schema = crate::config::help::schema_of::<Scenario>();
     if let Some(brain) = schema.pointer_mut("/properties/chain/properties/brain") {
-        brain["enum"] = brains.into();
+        brain["enum"] = extensions.words().into();
     }
+    crate::radio::RadioKind::add_to_schema(extensions.radios, &mut schema["properties"]["radio"]);
     schema
 }
 
@@ -95,7 +96,7 @@ uchain_core::params! {
         pub link: LinkParams;
         /// Path loss.
         #[serde(default)]
-        pub radio: PathLossParams;
+        pub radio: RadioParams;
         /// Delivery of packets.
         #[serde(default)]
         pub packets: PacketParams;

@@ -19,8 +19,8 @@ use crate::{
     config::{ConfigError, Document, Keys, MapConfig, Source},
     map::{Geodesic, Map, Tunnel},
     mission::Scene,
-    radio::{Antenna, PathLoss},
-    scene::{in_rock, lay_map, refuse, to_a_micrometre},
+    radio::{Antenna, RadioModel, finite_db},
+    scene::{in_rock, lay_map, lay_radio, refuse, to_a_micrometre},
     sense::GridRays,
 };
 
@@ -53,7 +53,7 @@ pub struct Course {
     /// Where the UAVs wait, head first.
     pub spawns: Vec<Spawn>,
     /// Radio without noise.
-    pub path_loss: PathLoss,
+    pub radio: Arc<dyn RadioModel>,
     /// Distances to the walls, as the ToF sensors measure them.
     pub rays: Arc<GridRays>,
     /// Whose law all UAVs fly by; `None`: the built-in node's.
@@ -122,8 +122,7 @@ impl Course {
             return Err(spots.invalid("chain.base_m", &format!("[{x_m}, {y_m}]"), expected));
         }
         // Before the geodesic, which takes longest: a detour allows for far fewer corners.
-        let path_loss = PathLoss::new(scenario.radio.clone(), &map)
-            .map_err(|cause| refuse(document, "radio.detour_db_per_m", cause))?;
+        let radio = lay_radio(&scenario.radio, &map, extensions.radios, document)?;
         let from_base = map.geodesic(base).map_err(|cause| refuse(document, "chain.base_m", cause))?;
         let tunnel = spots.tunnel(&scenario, line, base)?;
 
@@ -145,7 +144,7 @@ impl Course {
         let rays = Arc::new(GridRays::new(&map, scenario.tof.range_m));
         let (table, tables) = (OnceLock::new(), tables.clone());
         let map = Arc::new(map);
-        Ok(Self { scenario, map, from_base, base, tunnel, spawns, path_loss, rays, law, table, tables })
+        Ok(Self { scenario, map, from_base, base, tunnel, spawns, radio, rays, law, table, tables })
     }
 
     /// The same scenario, flown by a law of one's own: `make` makes the brain of a UAV, of its id and of what the scenario
@@ -192,6 +191,21 @@ impl Course {
         }
     }
 
+    /// The same scenario with a radio of one's own. `word` is what the scenario says from now on (`radio.model`): a recording
+    /// tells whose radio it was.
+    #[must_use]
+    pub fn with_radio(&self, word: &str, radio: Arc<dyn RadioModel>) -> Arc<Self> {
+        let mut course = self.clone();
+        word.clone_into(&mut course.scenario.radio.model);
+        (course.radio, course.table) = (radio, OnceLock::new());
+        Arc::new(course)
+    }
+
+    /// What a link loses, noise off (dB); always a number.
+    pub fn loss_db(&self, from: &Antenna, to: &Antenna) -> f32 {
+        finite_db(self.radio.loss_db(&self.map, from, to))
+    }
+
     /// How deep in the tunnel a place lies (m), negative behind the base; `None` where the tunnel's middle is not
     /// known.
     pub fn depth_m(&self, at: Vec2) -> Option<f32> {
@@ -211,7 +225,7 @@ impl Scene for Course {
     /// Tables of optima.
     type Shared = Arc<TableCache>;
     type Extensions = ChainExtensions;
-    const BUILTIN: ChainExtensions = ChainExtensions { brains: &[] };
+    const BUILTIN: ChainExtensions = ChainExtensions { brains: &[], radios: &[] };
     const KIND: &'static str = "a chain";
     const ROBOT: &'static str = "UAV";
     const KEYS: &'static Keys = &KEYS;
@@ -222,7 +236,7 @@ impl Scene for Course {
 
     #[cfg(feature = "schema")]
     fn schema(extensions: ChainExtensions) -> serde_json::Value {
-        super::config::schema(&extensions.words())
+        super::config::schema(extensions)
     }
 
     fn takes(document: &Document<'_>, _: ChainExtensions) -> bool {

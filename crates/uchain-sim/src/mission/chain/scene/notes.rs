@@ -1,12 +1,15 @@
 //! What one should know of a chain before it starts.
 
 use crate::mission::chain::{Course, Spawn};
-use crate::radio::Antenna;
+use crate::radio::{Antenna, Disc};
 
 impl Course {
     /// What keeps relays on the ground, or the head from its way, although every value is one that may be asked for.
     pub fn notes(&self) -> Vec<String> {
-        [self.row(), self.reception(), self.speed()].into_iter().flatten().collect()
+        [self.row(), self.reception(), self.scenario.radio.note(), self.range(), self.speed()]
+            .into_iter()
+            .flatten()
+            .collect()
     }
 
     /// UAVs that wait so far from the base that the first of them is over the threshold from the start. The next in
@@ -16,7 +19,7 @@ impl Course {
         let chain = &self.scenario.chain;
         let loss_db = |spawn: &Spawn| {
             let from = Antenna { at: spawn.at, heading_rad: Some(spawn.heading_rad) };
-            self.path_loss.loss_db(&self.map, &from, &self.base.into())
+            self.loss_db(&from, &self.base.into())
         };
         let head = self.spawns.first().filter(|head| chain.uavs > 1 && loss_db(head) > s_min_db)?;
         let far_m = head.at.distance(self.base);
@@ -52,6 +55,20 @@ impl Course {
                 "packets.limit_db = {limit_db}: no packet arrives over a link that loses more, so that none ever exceeds \
                  takeoff.s_min_db = {s_min_db} and no relay takes off; try --set packets.limit_db={}",
                 s_min_db + 40.0
+            )
+        })
+    }
+
+    /// A disc: no link is ever too long for the next relay to wait, and then none is left.
+    fn range(&self) -> Option<String> {
+        let radio = &self.scenario.radio;
+        let s_min_db = self.scenario.takeoff.s_min_db;
+        let never = radio.model == Disc::WORD && radio.reference_loss_db <= s_min_db;
+        (self.scenario.chain.uavs > 1 && never).then(|| {
+            format!(
+                "radio.model = \"{}\": within its range a link loses {} dB wherever its ends are, which is no more than \
+                 takeoff.s_min_db = {s_min_db}, so that no relay takes off before the link is lost",
+                Disc::WORD, radio.reference_loss_db
             )
         })
     }

@@ -1,5 +1,7 @@
 //! The optimum in a course: its tunnel, its radio, its depths.
 
+use std::sync::Arc;
+
 use crate::analyse::optimum::{BottleneckTable, MOST_LINKS, Optimum, TableKey, links_needed, optimum};
 use crate::{map::Tunnel, mission::chain::Course};
 
@@ -7,8 +9,8 @@ use crate::{map::Tunnel, mission::chain::Course};
 const STEP_M: f64 = 0.05;
 /// Most samples of a course's table.
 const SAMPLES: f64 = 500.0;
-/// The same where a loss takes the way through the tunnel, hundreds of times the work.
-const SAMPLES_WITH_DETOUR: f64 = 120.0;
+/// The same where a loss takes a search, such as the way through the tunnel: hundreds of times the work.
+const SAMPLES_WHERE_COSTLY: f64 = 120.0;
 
 /// What the best chain in a course's tunnel comes to.
 #[derive(Debug, Clone, Copy)]
@@ -24,7 +26,7 @@ impl Course {
     pub fn loss_at_depths_db(&self, a_m: f64, b_m: f64) -> Option<f64> {
         let antennas = [a_m, b_m].map(|depth_m| self.antenna_at(depth_m));
         let [Some(a), Some(b)] = antennas else { return None };
-        Some(f64::from(self.path_loss.loss_db(&self.map, &a, &b)))
+        Some(f64::from(self.loss_db(&a, &b)))
     }
 
     /// The optimum in this course; `None` without a tunnel of known middle. The first call draws the
@@ -33,11 +35,12 @@ impl Course {
         let tunnel = self.tunnel.as_ref()?;
         let loss_db = |a_m, b_m| self.loss_at_depths_db(a_m, b_m).unwrap_or(f64::NAN);
         let depth_m = tunnel.length_m();
-        let detour = self.scenario.radio.detour_db_per_m > 0.0;
-        let step_m = STEP_M.max(depth_m / if detour { SAMPLES_WITH_DETOUR } else { SAMPLES });
-        let table = self.table.get_or_init(|| {
-            let key = TableKey::new(self.map.walls(), tunnel, &self.scenario.radio);
-            self.tables.get(key, || BottleneckTable::new(loss_db, depth_m, step_m, MOST_LINKS))
+        let samples = if self.radio.is_costly() { SAMPLES_WHERE_COSTLY } else { SAMPLES };
+        let step_m = STEP_M.max(depth_m / samples);
+        let draw = || BottleneckTable::new(loss_db, depth_m, step_m, MOST_LINKS);
+        let table = self.table.get_or_init(|| match self.radio.key() {
+            Some(radio) => self.tables.get(TableKey::new(self.map.walls(), tunnel, radio), draw),
+            None => Arc::new(draw()),
         });
         Some(CourseOptimum { course: self, tunnel, table })
     }

@@ -20,7 +20,8 @@ use crate::{
         Scene,
         explore::{Ground, Width, width_but_for_m},
     },
-    scene::{in_rock, lay_map, outside, to_a_micrometre},
+    radio::{Disc, PacketParams, RadioModel},
+    scene::{in_rock, lay_map, lay_radio, outside, to_a_micrometre},
 };
 use starts::Lattice;
 
@@ -34,6 +35,8 @@ pub struct Site {
     pub scenario: ExploreScenario,
     /// The place, shared with all that fly in it.
     pub map: Arc<Map>,
+    /// What links between robots lose, noise off; `None`: all hear all.
+    pub radio: Option<Arc<dyn RadioModel>>,
     /// Where the robots start, in order, before the seed moves them (m).
     pub spawns: Vec<Vec2>,
     /// Where robots start instead of `start_m`, if that has no room.
@@ -70,11 +73,39 @@ impl Site {
         self.ground.get_or_init(|| Ground::survey(&self.map, &self.spawns, &self.scenario.params))
     }
 
+    /// What one should know of the radio: a table that says what is not gone by, and robots that may not hear each other
+    /// where they could meet.
+    fn radio_notes(&self) -> Vec<String> {
+        let Some(radio) = &self.scenario.radio else { return Vec::new() };
+        let PacketParams { drop_rate, .. } = self.scenario.packets;
+        let both = (1.0 - drop_rate) * (1.0 - drop_rate);
+        let deaf = (drop_rate > 0.0).then(|| {
+            format!(
+                "packets.drop_rate = {drop_rate}: in {:.0} of 100 rounds two robots side by side do not hear each other, and \
+                 then none gives way; try --set packets.drop_rate=0",
+                100.0 * (1.0 - both)
+            )
+        });
+        radio.note().into_iter().chain(deaf).collect()
+    }
+
+    /// The same scenario with a radio of one's own between robots, and with its `[packets]` over it. `word` is what the
+    /// scenario says from now on (`radio.model`): a recording tells whose radio it was. There is no range of messages
+    /// beside it.
+    #[must_use]
+    pub fn with_radio(&self, word: &str, radio: Arc<dyn RadioModel>) -> Arc<Self> {
+        let mut site = self.clone();
+        word.clone_into(&mut site.scenario.radio.get_or_insert_default().model);
+        site.scenario.team.range_m = None;
+        site.radio = Some(radio);
+        Arc::new(site)
+    }
+
     /// What one should know before the start: another start than asked for, ground that robots of this size cannot reach, or may miss.
     pub fn notes(&self) -> Vec<String> {
         let (ground, params) = (self.ground(), &self.scenario.params);
         let (reach_m2, shut_off_m2) = (ground.area_m2(), ground.shut_off_m2());
-        let mut notes: Vec<String> = self.moved.iter().cloned().collect();
+        let mut notes: Vec<String> = self.moved.iter().cloned().chain(self.radio_notes()).collect();
         if shut_off_m2 > NOTED * reach_m2 {
             notes.push(format!(
                 "{shut_off_m2:.1} m2 of free ground lie behind passages narrower than {} m, two explore.r_body_m: robots \
@@ -113,7 +144,7 @@ impl Scene for Site {
     type Mission = Exploration;
     type Shared = ();
     type Extensions = SiteExtensions;
-    const BUILTIN: SiteExtensions = SiteExtensions { strategies: &[] };
+    const BUILTIN: SiteExtensions = SiteExtensions { strategies: &[], radios: &[] };
     const KIND: &'static str = "an exploration";
     const ROBOT: &'static str = "robot";
     const KEYS: &'static Keys = &KEYS;
@@ -144,6 +175,11 @@ impl Scene for Site {
             Some(map) => map,
             None => lay_map(&scenario.map, around_m, document)?.0,
         };
+        let radio: Option<Arc<dyn RadioModel>> = match (&scenario.radio, scenario.team.range_m) {
+            (Some(radio), _) => Some(lay_radio(radio, &map, extensions.radios, document)?),
+            (None, Some(range_m)) => Some(Arc::new(Disc { range_m, loss_db: 0.0 })),
+            (None, None) => None,
+        };
         let spawns = places(&scenario, &map, document)?;
         let moved = moved(&scenario, &map, &spawns);
         let empty = Ssg::new(scenario.params.clone(), scenario.team.robots).map_err(|refusal| {
@@ -151,7 +187,7 @@ impl Scene for Site {
             document.invalid("explore", &got, format!("no graph can be made of these parameters: {refusal}"))
         })?;
         let (map, ground) = (Arc::new(map), OnceLock::new());
-        Ok(Arc::new(Self { scenario, map, spawns, moved, empty, ground }))
+        Ok(Arc::new(Self { scenario, map, radio, spawns, moved, empty, ground }))
     }
 
     fn name(&self) -> &str {

@@ -43,7 +43,23 @@ fn what_is_wrong_with_an_exploration_is_said_with_its_place_and_its_numbers() {
         (&["explore=3"], "--set explore=3: explore = 3: expected a table"),
         (&["explore.range_m=nan"], "explore.range_m = nan: must lie in 0.1..=1000000"),
         (&["preset=cavemod"], "--set preset=cavemod: preset = \"cavemod\": belongs to a chain"),
-        (&["radio.sigma_db=1"], "belongs to a chain, and a scenario with [explore] is an exploration"),
+        (&["link.lost_s=1"], "belongs to a chain, and a scenario with [explore] is an exploration"),
+        (&["radio.sigma_db=-1"], "radio.sigma_db = -1: must lie in 0..=50"),
+        (&["packets.drop_rate=2"], "packets.drop_rate = 2: must lie in 0..=1"),
+        (&["radio.sigma=1"], "unknown key 'radio.sigma'; did you mean 'sigma_db'?"),
+        (&["radio=3"], "--set radio=3: radio = 3: expected a table"),
+        (&["radio.model=disk"], "radio.model = \"disk\": unknown choice; did you mean 'disc'?"),
+        (&["radio.model=disc"], "radio.range_m = nothing: the model \"disc\" needs a range"),
+        (&["radio.model=disc", "radio.range_m=2"], "radio.range_m = 2: must be at least 2.25: two moves"),
+        (
+            &["explore.range_m=9", "radio.sigma_db=1"],
+            "explore.range_m = 9: a range of messages beside a radio",
+        ),
+        (
+            &["explore.range_m=9", "packets.drop_rate=0"],
+            "explore.range_m = 9: a range of messages beside a radio",
+        ),
+        (&["packets.delay_ticks=4"], "packets.delay_ticks = 4: robots answer each other within a round"),
         (&["map.walls.outer_m.2=[1, -1]"], "room.toml:4: map.walls: walls cross or touch near"),
         (&["map.walls.outer_m.2=[nan, 0]"], "map.walls.outer_m.2.0 = nan"),
     ];
@@ -75,4 +91,22 @@ fn a_room_of_16_m2_is_reachable_but_for_a_body_along_its_walls() {
     let cell_m = f64::from(site.ground().cells().cell_m());
     let area_m2 = site.ground().count() as f64 * cell_m * cell_m;
     assert!((area_m2 - 3.8 * 3.8).abs() < 0.01, "{area_m2}");
+}
+
+#[test]
+fn a_radio_is_written_into_a_scenario_if_it_is_asked_for_whichever_of_its_tables_asks() {
+    let text = |sets: &[&str]| {
+        let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
+        let scenario = Site::read(&room(), &sets).unwrap().scenario.clone();
+        let text = scenario.to_toml().unwrap();
+        let again = Site::read(&Source { text: text.clone(), ..room() }, &[]).unwrap();
+        assert_eq!(again.scenario, scenario);
+        text
+    };
+    let plain = text(&[]);
+    assert!(!plain.contains("[radio]") && !plain.contains("[packets]"), "{plain}");
+    for set in ["radio.sigma_db=1", "packets.drop_rate=0"] {
+        let text = text(&[set]);
+        assert!(text.starts_with(&plain) && text.contains("[radio]") && text.contains("[packets]"), "{text}");
+    }
 }

@@ -1,15 +1,24 @@
-//! Who hears whom: robots within the range of messages, and those they pass on to; and what they have heard.
+//! Who hears whom: robots whose radio reaches each other, and those they pass on to; and what they have heard.
 
 #[cfg(test)]
 mod tests;
 
-use uchain_core::explore::{Message, NodeId, Point, Ssg};
+use std::sync::Arc;
+
+use uchain_core::explore::{Message, NodeId, Ssg};
+
+use crate::{
+    map::Map,
+    mission::explore::Site,
+    radio::{Antenna, Channel, FaultConfig, Link, NO_LINK_DB, RadioModel, channel, finite_db},
+    seed::Seed,
+};
 
 /// Groups of robots that hear each other this round. Robots of one group know the same.
 #[derive(Debug)]
 pub(super) struct Connectivity {
-    /// Range of messages (m); `None`: all of the map.
-    range_m: Option<f32>,
+    /// `None`: all hear all.
+    radio: Option<TeamRadio>,
     /// Per robot, the lowest index of its group.
     leader: Vec<usize>,
     /// By leader, the robots of its group in index order, itself included.
@@ -18,10 +27,10 @@ pub(super) struct Connectivity {
 }
 
 impl Connectivity {
-    pub(super) fn new(robots: usize, range_m: Option<f32>) -> Self {
+    pub(super) fn new(robots: usize, radio: Option<TeamRadio>) -> Self {
         // Where all hear all, nobody is ever told what was said before.
-        let log = Log::new(if range_m.is_some() { robots } else { 0 });
-        let mut connectivity = Self { range_m, leader: Vec::new(), members: Vec::new(), log };
+        let log = Log::new(if radio.is_some() { robots } else { 0 });
+        let mut connectivity = Self { radio, leader: Vec::new(), members: Vec::new(), log };
         connectivity.gather(vec![0; robots]);
         connectivity
     }
@@ -45,16 +54,16 @@ impl Connectivity {
             // Of this round only.
             Message::Pose { .. } | Message::Target(_) => return,
         };
-        if self.range_m.is_some() {
+        if self.radio.is_some() {
             let members = self.leader.get(speaker).and_then(|&leader| self.members.get(leader));
             self.log.say(speaker, node, members.map_or(&[], Vec::as_slice));
         }
     }
 
-    /// Robots are at these places now. Those that did not hear each other before tell each other what is new to them.
-    pub(super) fn listen(&mut self, places: &[Point], stores: &mut [Ssg]) {
-        let Some(range_m) = self.range_m else { return };
-        let now = groups(places, range_m);
+    /// Robots stand there at this tick. Those that did not hear each other before tell each other what is new to them.
+    pub(super) fn listen(&mut self, tick: u64, robots: &[Antenna], stores: &mut [Ssg]) {
+        let Some(radio) = &mut self.radio else { return };
+        let now = groups(robots.len(), |i, j| radio.joins(tick, [i, j], robots));
         if now == self.leader {
             return;
         }
@@ -84,10 +93,44 @@ impl Connectivity {
     }
 }
 
+/// The radio between robots.
+#[derive(Debug)]
+pub(super) struct TeamRadio {
+    map: Arc<Map>,
+    model: Arc<dyn RadioModel>,
+    /// What becomes of packets; `None`: all arrive where there is a link.
+    channel: Option<Box<dyn Channel<()>>>,
+}
+
+impl TeamRadio {
+    /// That of an exploration; `None` where all hear all.
+    pub(super) fn new(site: &Site, seed: Seed) -> Option<Self> {
+        let model = site.radio.clone()?;
+        let channel =
+            site.scenario.radio.as_ref().map(|radio| {
+                channel(seed, 0, radio.sigma_db, &site.scenario.packets, &FaultConfig::default())
+            });
+        Some(Self { map: site.map.clone(), model, channel })
+    }
+
+    /// Whether two robots hear each other: a packet arrives, and the answer to it.
+    fn joins(&mut self, tick: u64, [i, j]: [usize; 2], robots: &[Antenna]) -> bool {
+        // Whoever is asked for first: both ways lose the same.
+        let (low, high) = (i.min(j), i.max(j));
+        let loss_db = finite_db(self.model.loss_db(&self.map, &robots[low], &robots[high]));
+        let Some(channel) = &mut self.channel else { return loss_db < NO_LINK_DB };
+        let mut arrives = |from: usize, to: usize| {
+            let link = Link { from: from as u16, to: to as u16, side: None };
+            channel.transfer(link, tick, loss_db, ()).is_some()
+        };
+        arrives(low, high) && arrives(high, low)
+    }
+}
+
 /// Per robot the lowest index that messages can come from or go to: connected components, found by looking at all that
-/// are left: they are a thousand at most, and it is asked once a round.
-fn groups(places: &[Point], range_m: f32) -> Vec<usize> {
-    let mut group: Vec<usize> = (0..places.len()).collect();
+/// are left: they are a thousand at most, and it is asked once a round. No two robots are asked for twice.
+fn groups(robots: usize, mut joins: impl FnMut(usize, usize) -> bool) -> Vec<usize> {
+    let mut group: Vec<usize> = (0..robots).collect();
     // Those that nobody has reached yet, in index order.
     let mut apart: Vec<usize> = group.clone();
     while let Some(&first) = apart.first() {
@@ -95,12 +138,12 @@ fn groups(places: &[Point], range_m: f32) -> Vec<usize> {
         apart.remove(0);
         while let Some(i) = open.pop() {
             apart.retain(|&j| {
-                let is_near = places[i].distance_m(places[j]) <= range_m;
-                if is_near {
+                let hears = joins(i, j);
+                if hears {
                     group[j] = first;
                     open.push(j);
                 }
-                !is_near
+                !hears
             });
         }
     }

@@ -4,14 +4,15 @@ mod connectivity;
 mod graph_diff;
 
 use uchain_core::explore::{
-    Command, ExploreParams, Explorer, Message, Observation, Point, Purpose, Refusal, Ssg, Target, rule,
+    Command, ExploreParams, Explorer, Message, Observation, Purpose, Refusal, Ssg, Target, rule,
 };
 
 use crate::{
     mission::{Stopped, explore::Site},
+    radio::Antenna,
     seed::{Seed, Source, Stream},
 };
-use connectivity::Connectivity;
+use connectivity::{Connectivity, TeamRadio};
 pub(crate) use graph_diff::GraphDiff;
 
 /// All brains of an exploration. Where all hear all, one store serves them all; otherwise each has its own.
@@ -41,12 +42,13 @@ impl Team {
         let empty = site.empty_store();
         let mut noted = empty.clone();
         noted.note_freed();
-        let shared = scenario.team.range_m.is_none();
+        let radio = TeamRadio::new(site, seed);
+        let shared = radio.is_none();
         Self {
             params: scenario.params.clone(),
             explorers: (0..robots).map(|i| Explorer::new(i, robots)).collect(),
             draws: (0..u32::from(robots)).map(|i| seed.stream(i, Source::Choice)).collect(),
-            connectivity: Connectivity::new(count, scenario.team.range_m),
+            connectivity: Connectivity::new(count, radio),
             whole: (!shared).then(|| noted.clone()),
             stores: if shared { vec![noted] } else { vec![empty.clone(); count] },
             said: vec![Vec::new(); count],
@@ -76,10 +78,16 @@ impl Team {
         &self.commands
     }
 
-    /// One round (Kim 2021, Algorithm 2), by what every robot sees and by true places, which decide who hears whom.
+    /// One round (Kim 2021, Algorithm 2), by what every robot sees and by where their antennas truly are at this tick, which
+    /// decides who hears whom.
     /// A reason if there is nothing left to fly.
-    pub fn round(&mut self, robots: &[super::Observation], places: &[Point]) -> Option<Stopped> {
-        self.connectivity.listen(places, &mut self.stores);
+    pub fn round(
+        &mut self,
+        tick: u64,
+        robots: &[super::Observation],
+        antennas: &[Antenna],
+    ) -> Option<Stopped> {
+        self.connectivity.listen(tick, antennas, &mut self.stores);
         self.commands.clear();
         for (i, robot) in robots.iter().enumerate().take(self.explorers.len()) {
             let seen = Observation { pose: robot.pose, arrived: true, scan: robot.scan.as_deref() };
@@ -131,7 +139,7 @@ impl Team {
         }
     }
 
-    /// Conflicts are resolved among those that hear each other; others are too far apart to meet.
+    /// Conflicts are resolved among those that hear each other: nobody gives way to whom it does not hear.
     fn resolve_conflicts(&mut self) {
         let mut rulings = vec![None; self.explorers.len()];
         for group in self.connectivity.groups() {

@@ -2,12 +2,32 @@
 
 use std::collections::BTreeMap;
 
+use glam::Vec2;
 use proptest::prelude::*;
-use uchain_core::explore::{EdgeRule, ExploreParams, Hub, Label, NodeReport, Sector, SpentReport};
+use uchain_core::explore::{EdgeRule, ExploreParams, Hub, Label, NodeReport, Point, Sector, SpentReport};
 
 use super::*;
+use crate::{
+    map::drawn,
+    radio::{Disc, PacketParams},
+};
 
 const RANGE_M: f32 = 1.5;
+
+/// A map in which nothing is in the way.
+fn open() -> Arc<Map> {
+    Arc::new(drawn(&[vec![[-20.0, -20.0], [20.0, -20.0], [20.0, 20.0], [-20.0, 20.0]]]).unwrap())
+}
+
+/// All within 1.5 m hear each other.
+fn near(robots: usize) -> Connectivity {
+    let model = Arc::new(Disc { range_m: RANGE_M, loss_db: 0.0 });
+    Connectivity::new(robots, Some(TeamRadio { map: open(), model, channel: None }))
+}
+
+fn antenna(at: Point) -> Antenna {
+    Vec2::new(at.x_m, at.y_m).into()
+}
 
 /// A store by names instead of slots.
 type Known = (BTreeMap<NodeId, Vec<Label>>, Vec<[NodeId; 2]>, Vec<Hub>);
@@ -67,12 +87,13 @@ proptest! {
         let nodes_max = if small && !eq8 { 20 } else { 20_000 };
         let empty = Ssg::new(ExploreParams { edges, nodes_max, ..ExploreParams::default() }, 5).unwrap();
         let (mut stores, mut oracle) = (vec![empty.clone(); 5], vec![empty; 5]);
-        let mut connectivity = Connectivity::new(5, Some(RANGE_M));
+        let mut connectivity = near(5);
         let mut numbers = [0_u32; 5];
         for robots in rounds {
             let places: Vec<Point> = robots.iter().map(|&(x_m, y_m, ..)| Point { x_m, y_m }).collect();
             let before = connectivity.leader.clone();
-            connectivity.listen(&places, &mut stores);
+            let antennas: Vec<Antenna> = places.iter().copied().map(antenna).collect();
+            connectivity.listen(0, &antennas, &mut stores);
             tell_all(&before, &connectivity.leader, &mut oracle);
             for i in 0..5 {
                 let (ours, theirs) = (known(&stores[i]), known(&oracle[i]));
@@ -108,7 +129,7 @@ proptest! {
 #[test]
 fn robots_that_meet_again_tell_what_is_new_and_not_what_they_know() {
     let mut stores = vec![Ssg::new(ExploreParams::default(), 3).unwrap(); 3];
-    let mut connectivity = Connectivity::new(3, Some(RANGE_M));
+    let mut connectivity = near(3);
     let at = |x_m: f32| Point { x_m, y_m: 0.0 };
     let say = |connectivity: &mut Connectivity, stores: &mut [Ssg], robot: usize, number: u32| {
         let id = NodeId { robot: robot as u16, number };
@@ -122,13 +143,52 @@ fn robots_that_meet_again_tell_what_is_new_and_not_what_they_know() {
         say(&mut connectivity, &mut stores, 0, number);
     }
     // All were together; they part, and the first finds one more node.
-    connectivity.listen(&[at(0.0), at(5.0), at(10.0)], &mut stores);
+    connectivity.listen(0, &[at(0.0), at(5.0), at(10.0)].map(antenna), &mut stores);
     say(&mut connectivity, &mut stores, 0, 50);
     assert_eq!(connectivity.log.unheard(&stores[0], 0, 1).len(), 1);
-    connectivity.listen(&[at(0.0), at(1.0), at(10.0)], &mut stores);
+    connectivity.listen(0, &[at(0.0), at(1.0), at(10.0)].map(antenna), &mut stores);
     assert_eq!(stores.iter().map(Ssg::len).collect::<Vec<_>>(), [51, 51, 50]);
     // The third hears it from the second, and then there is nothing that the first could tell it.
-    connectivity.listen(&[at(0.0), at(9.0), at(10.0)], &mut stores);
+    connectivity.listen(0, &[at(0.0), at(9.0), at(10.0)].map(antenna), &mut stores);
     assert_eq!(stores[2].len(), 51);
     assert_eq!(connectivity.log.unheard(&stores[0], 0, 2).len(), 0);
+}
+
+/// How often two robots hear each other that lose so much, with 3 dB of noise.
+fn share_joined(loss_db: f32, packets: &PacketParams) -> f64 {
+    let model = Arc::new(Disc { range_m: RANGE_M, loss_db });
+    let channel = Some(channel(Seed(1), 0, 3.0, packets, &FaultConfig::default()));
+    let mut radio = TeamRadio { map: open(), model, channel };
+    let robots = [0.0, 1.0].map(|x_m| antenna(Point { x_m, y_m: 0.0 }));
+    let joined = (0..20_000).filter(|&tick| radio.joins(tick, [0, 1], &robots)).count();
+    joined as f64 / 20_000.0
+}
+
+#[test]
+fn two_robots_hear_each_other_if_both_their_packets_arrive() {
+    let packets = PacketParams::default();
+    // Both of two that a fifth of packets is lost of; at the limit half of these as well.
+    for (loss_db, expected) in [(60.0, 0.8 * 0.8), (100.0, 0.4 * 0.4), (120.0, 0.0)] {
+        let share = share_joined(loss_db, &packets);
+        assert!((share - expected).abs() < 0.015, "{share} at {loss_db} dB");
+    }
+    assert_eq!(share_joined(60.0, &PacketParams { drop_rate: 0.0, ..packets }), 1.0);
+}
+
+#[test]
+fn who_hears_whom_does_not_depend_on_who_is_asked_for_first() {
+    let joined = |order: &[[usize; 2]]| {
+        let model = Arc::new(Disc { range_m: 9.0, loss_db: 95.0 });
+        let channel = Some(channel(Seed(1), 0, 3.0, &PacketParams::default(), &FaultConfig::default()));
+        let mut radio = TeamRadio { map: open(), model, channel };
+        let robots = [0.0, 1.0, 2.0].map(|x_m| antenna(Point { x_m, y_m: 0.0 }));
+        let mut joined: Vec<([usize; 2], bool)> = Vec::new();
+        for &[i, j] in order {
+            joined.push(([i.min(j), i.max(j)], radio.joins(7, [i, j], &robots)));
+        }
+        joined.sort_unstable();
+        joined
+    };
+    let all = joined(&[[0, 1], [0, 2], [1, 2]]);
+    assert_eq!(all, joined(&[[2, 1], [1, 0], [2, 0]]));
 }

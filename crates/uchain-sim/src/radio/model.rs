@@ -1,0 +1,168 @@
+//! What a link loses, noise off: the question that a run, the optimum, a plan and a note ask alike.
+
+use std::{fmt::Debug, sync::Arc};
+
+use glam::Vec2;
+
+use super::{Disc, PathLoss, RadioParams};
+use crate::map::{Map, MapError};
+
+/// Loss of a link that carries nothing (dB): beyond every `packets.limit_db`, whatever noise takes off it, and a number
+/// like any other for charts and files.
+pub const NO_LINK_DB: f32 = 2_000.0;
+
+/// A loss as a number: what is none carries nothing.
+pub(crate) fn finite_db(loss_db: f32) -> f32 {
+    if loss_db.is_finite() { loss_db } else { NO_LINK_DB }
+}
+
+/// One end of a link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Antenna {
+    /// Place (m).
+    pub at: Vec2,
+    /// Direction of the body that carries it (rad); `None` for the base station, which has no rotors.
+    pub heading_rad: Option<f32>,
+}
+
+impl From<Vec2> for Antenna {
+    /// An antenna without direction.
+    fn from(at: Vec2) -> Self {
+        Self { at, heading_rad: None }
+    }
+}
+
+/// How much a link loses between two places in a map. It knows no seed and no time: equal places lose equally, in a run,
+/// in the optimum it is measured by and in a plan. What is heard of a packet is up to a [`Channel`](super::Channel).
+///
+/// ```
+/// use std::sync::Arc;
+/// use uchain_libm as _; // the same bits on every system
+/// use uchain_sim::{config::builtin, map::Map, mission::chain::{Course, plan}, radio::{Antenna, RadioModel}};
+///
+/// /// Half a decibel a centimetre, through whatever there is.
+/// #[derive(Debug)]
+/// struct Linear;
+///
+/// impl RadioModel for Linear {
+///     fn loss_db(&self, _: &Map, from: &Antenna, to: &Antenna) -> f32 {
+///         35.0 + 5.0 * from.at.distance(to.at)
+///     }
+/// }
+///
+/// let straight = Course::read(&builtin("straight").unwrap(), &[]).unwrap();
+/// let course = straight.with_radio("linear", Arc::new(Linear));
+/// // 60 dB are 5 m: two relays within 13.5 m, and the head.
+/// assert_eq!(plan(&course, None, 1.0, None).unwrap().uavs_needed, Some(3));
+/// ```
+pub trait RadioModel: Debug + Send + Sync {
+    /// Loss between two antennas (dB), the same both ways. [`NO_LINK_DB`] where nothing is heard; what is not finite
+    /// counts as that.
+    fn loss_db(&self, map: &Map, from: &Antenna, to: &Antenna) -> f32;
+
+    /// What names the losses: models of equal keys lose the same in equal maps, so that runs of a sweep share what takes
+    /// long to work out, the table of the optimum. It begins with the model's name and holds all parameters. `None`:
+    /// nothing is shared.
+    fn key(&self) -> Option<String> {
+        None
+    }
+
+    /// Whether a loss takes a search through the map, hundreds of times the work of a formula: tables of losses are then
+    /// drawn on fewer samples.
+    fn is_costly(&self) -> bool {
+        false
+    }
+}
+
+/// Makes a model of what the table `[radio]` says, for one map.
+pub type MakeRadio = fn(&RadioParams, &Map) -> Result<Arc<dyn RadioModel>, RadioError>;
+
+/// A model that a scenario may name.
+///
+/// ```
+/// use std::sync::Arc;
+/// use uchain_sim::{
+///     config::builtin,
+///     map::Map,
+///     mission::{Scene as _, chain::{ChainExtensions, Course}},
+///     radio::{Antenna, RadioKind, RadioModel},
+///     registry::{AnyMission, Of, Registry},
+/// };
+///
+/// /// So much a metre, through whatever there is.
+/// #[derive(Debug)]
+/// struct Linear { db_per_m: f32 }
+///
+/// impl RadioModel for Linear {
+///     fn loss_db(&self, _: &Map, from: &Antenna, to: &Antenna) -> f32 {
+///         35.0 + self.db_per_m * from.at.distance(to.at)
+///     }
+/// }
+///
+/// const LINEAR: RadioKind = RadioKind::new("linear", "So much a metre.", |table, _| {
+///     Ok(Arc::new(Linear { db_per_m: 2.5 * table.alpha_free }))
+/// });
+/// static MISSIONS: [&dyn AnyMission; 1] =
+///     [&Of::<Course>::with(ChainExtensions { radios: &[LINEAR], ..Course::BUILTIN })];
+/// let sets = ["radio.model=linear".to_owned()];
+/// assert!(Registry::new(&MISSIONS).read(&builtin("corner").unwrap(), &sets).is_ok());
+/// assert!(Registry::default().read(&builtin("corner").unwrap(), &sets).is_err());
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct RadioKind {
+    word: &'static str,
+    meaning: &'static str,
+    make: MakeRadio,
+}
+
+impl RadioKind {
+    /// The models that every program has.
+    pub const BUILTIN: [Self; 2] = [PathLoss::KIND, Disc::KIND];
+
+    /// A model by its word in a scenario and what it means in a sentence, for `uchain explain` and editors.
+    pub const fn new(word: &'static str, meaning: &'static str, make: MakeRadio) -> Self {
+        Self { word, meaning, make }
+    }
+
+    /// Its word in a scenario.
+    pub const fn word(&self) -> &'static str {
+        self.word
+    }
+
+    /// What it means.
+    pub const fn meaning(&self) -> &'static str {
+        self.meaning
+    }
+
+    /// The model for one map, as the table `[radio]` has it.
+    ///
+    /// # Errors
+    /// What the model cannot do with the table or the map.
+    pub fn make(&self, params: &RadioParams, map: &Map) -> Result<Arc<dyn RadioModel>, RadioError> {
+        (self.make)(params, map)
+    }
+}
+
+/// Why there is no model.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RadioError {
+    /// The map does not have what the model asks of it.
+    #[error("radio.{key}: {cause}")]
+    Map {
+        /// The key of `[radio]` that asks for it.
+        key: &'static str,
+        /// What the map said.
+        cause: MapError,
+    },
+    /// A value of `[radio]` that the model cannot take.
+    #[error("radio.{key} = {got}: {expected}")]
+    Value {
+        /// The key of `[radio]`.
+        key: &'static str,
+        /// What it is.
+        got: String,
+        /// What it may be.
+        expected: String,
+    },
+}
