@@ -7,6 +7,7 @@ use std::{
 
 use prost::Message as _;
 use uchain_sim::{
+    map::{CsvConfig, MapConfig},
     mission::{
         Recorded, Scene,
         chain::{Chain, Course, Frame, McapRecorder},
@@ -89,6 +90,27 @@ fn messages_kept_in_memory_are_read_without_a_file_format() {
     };
     assert_eq!((name.as_str(), entries["seed"].as_str(), file.as_str()), ("uchain", "1", "walls.csv"));
     assert!(data.starts_with(b"loop,x_m,y_m\n"));
+}
+
+#[test]
+fn walls_as_a_recording_holds_them_are_a_map() {
+    let (_, messages) = both::<Chain>(&corner());
+    let walls = messages.said().iter().find_map(|said| match said {
+        Said::Attachment { name, data, .. } if name == "walls.csv" => Some(data),
+        _ => None,
+    });
+    let here = tempfile::tempdir().unwrap();
+    std::fs::write(here.path().join("walls.csv"), walls.unwrap()).unwrap();
+    let config = MapConfig::Csv(CsvConfig { file: "walls.csv".into() });
+    let (again, flown) = (config.lay(here.path(), [0.0; 2]).unwrap().0, &corner().map);
+    assert_eq!(again.walls().len(), flown.walls().len());
+    for (again_wall, wall) in again.walls().iter().zip(flown.walls()) {
+        // The recording's frame is that of the map, which is the file's own here.
+        let [x_m, y_m] = again.offset_m().map(|m| m as f32);
+        assert!(
+            (again_wall.a.x + x_m - wall.a.x).abs() < 1e-4 && (again_wall.a.y + y_m - wall.a.y).abs() < 1e-4
+        );
+    }
 }
 
 /// A peer that is connected to.

@@ -358,7 +358,7 @@ impl Known {
         let of_a_map = key.strip_prefix("map.").filter(|rest| !rest.contains('.'));
         explains(key)
             || of_a_map.is_some_and(|rest| {
-                ["ros", "movingai"].iter().any(|kind| explains(&format!("map.{kind}.{rest}")))
+                uchain_sim::map::FORMATS.iter().any(|kind| explains(&format!("{}.{rest}", kind.table)))
             })
     }
 

@@ -83,6 +83,28 @@ fn a_plan_is_for_chains_and_says_so() {
 }
 
 #[test]
+fn a_table_of_corners_is_explored_and_planned_for_as_it_is() {
+    let here = folder();
+    let room = "loop,x_m,y_m\n0,0,0\n0,4,0\n0,4,3\n0,0,3\n1,2,1\n1,2,2\n1,2.5,2\n1,2.5,1\n";
+    fs::write(here.path().join("room.csv"), room).unwrap();
+    let sets = ["--set", "explore.robots=1", "--json", "--no-record"];
+    let run = uchain(here.path(), &[&["run", "room.csv"][..], &sets].concat());
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let said: Value = serde_json::from_str(stdout(&run)).unwrap();
+    assert_eq!((&said["scenario"], &said["outcome"]), (&"room".into(), &"explored".into()), "{said}");
+    let plan = uchain(here.path(), &["plan", "room.csv", "--base=0.5,0.5", "--goal=3.5,2.5"]);
+    assert_eq!(plan.status.code(), Some(0), "{}", stderr(&plan));
+
+    fs::write(here.path().join("room.csv"), room.replace("1,2,2\n", "1,2,x\n")).unwrap();
+    for args in [&["run", "room.csv"][..], &["plan", "room.csv", "--base=0.5,0.5", "--goal=3.5,2.5"]] {
+        let wrong = uchain(here.path(), args);
+        assert_eq!(wrong.status.code(), Some(3), "the control");
+        let expected = "error: room.csv: line 7: \"1,2,x\": expected a loop's number, x and y";
+        assert!(stderr(&wrong).starts_with(expected), "{}", stderr(&wrong));
+    }
+}
+
+#[test]
 fn a_bare_map_is_explored_and_doors_that_are_too_narrow_are_told_of_before() {
     let here = folder();
     // Two rooms of 3 by 3 m, with a door of 0.25 m between them.

@@ -7,8 +7,8 @@ use glam::Vec2;
 pub use radio::lay_radio;
 
 use crate::{
-    config::{ConfigError, CorridorConfig, Document, MapConfig, MovingAiConfig, RosConfig, WallsConfig},
-    map::{CentreLine, Map, MapError, Vertex, corridor, drawn, read_moving_ai, read_ros},
+    config::{ConfigError, Document, MapConfig},
+    map::{CentreLine, Map, MapError},
 };
 
 /// The map a scenario asks for, and its middle if it is a corridor, which is built around a place (m). Files are read from
@@ -21,51 +21,8 @@ pub fn lay_map(
     around_m: [f64; 2],
     document: &Document<'_>,
 ) -> Result<(Map, Option<CentreLine>), ConfigError> {
-    let laid = match config {
-        MapConfig::Corridor(config) => build(config, around_m).map(|(map, line)| (map, Some(line))),
-        MapConfig::Walls(config) => draw(config).map(|map| (map, None)),
-        MapConfig::Movingai(config) => read_grid(config, document).map(|map| (map, None)),
-        MapConfig::Ros(config) => read(config, document).map(|map| (map, None)),
-    };
-    let key = match config {
-        MapConfig::Corridor(_) => "map.corridor",
-        MapConfig::Walls(_) => "map.walls",
-        MapConfig::Movingai(_) => "map.movingai.file",
-        MapConfig::Ros(_) => "map.ros.file",
-    };
-    laid.map_err(|cause| refuse(document, key, cause))
-}
-
-/// Builds a corridor around the base: there `f32` is finest, wherever the scenario's own frame has its origin.
-fn build(config: &CorridorConfig, [base_x_m, base_y_m]: [f64; 2]) -> Result<(Map, CentreLine), MapError> {
-    let around = |x_m: f64, y_m: f64| {
-        let corner = |numbers: &Vec<f64>| Vertex {
-            x: numbers.first().copied().unwrap_or_default() - x_m,
-            y: numbers.get(1).copied().unwrap_or_default() - y_m,
-            bend_radius_m: numbers.get(2).copied().unwrap_or_default(),
-        };
-        let corners: Vec<Vertex> = config.centre_line_m.iter().map(corner).collect();
-        corridor(&corners, config.width_m, config.closed)
-    };
-    match around(base_x_m, base_y_m) {
-        Ok((map, line)) => Ok((map.with_offset_m([base_x_m, base_y_m]), line)),
-        // What is wrong is said in the scenario's own coordinates.
-        Err(cause) => Err(around(0.0, 0.0).err().unwrap_or(cause)),
-    }
-}
-
-fn draw(config: &WallsConfig) -> Result<Map, MapError> {
-    let loops: Vec<Vec<[f64; 2]>> =
-        std::iter::once(&config.outer_m).chain(&config.inner_m).cloned().collect();
-    drawn(&loops)
-}
-
-fn read(config: &RosConfig, document: &Document<'_>) -> Result<Map, MapError> {
-    read_ros(&document.folder().join(&config.file), config.unknown, config.cell_m, config.simplify_m)
-}
-
-fn read_grid(config: &MovingAiConfig, document: &Document<'_>) -> Result<Map, MapError> {
-    read_moving_ai(&document.folder().join(&config.file), config.cell_m)
+    let laid = config.lay(document.folder(), around_m);
+    laid.map_err(|cause| refuse(document, &config.format().fault_key(), cause))
 }
 
 pub(crate) fn refuse(document: &Document<'_>, key: &str, cause: MapError) -> ConfigError {

@@ -3,7 +3,10 @@
 use uchain_core::params::OutOfRange;
 
 use super::{ConfigError, Heading, MapConfig, document::Document, keys::join};
-use crate::clock;
+use crate::{
+    clock,
+    map::{FRAME_MAX_M, Fault},
+};
 
 /// Length of a tick (s). Every period is a multiple of it.
 pub(crate) const TICK_S: f64 = 1.0 / clock::TICKS_PER_S;
@@ -13,12 +16,6 @@ pub(crate) const DURATION_MAX_S: f64 = 86_400.0;
 
 /// Longest name of a scenario.
 pub(crate) const NAME_LENGTH_MAX: usize = 64;
-
-/// Farthest place in a map's own frame (m): a surveyor's coordinates; `f64` keeps a millimetre there with ease.
-pub(crate) const FRAME_MAX_M: f64 = 1e9;
-
-/// Farthest corner of a corridor (m); `f32` keeps a centimetre there.
-pub(crate) const COORDINATE_MAX_M: f64 = 100_000.0;
 
 /// Checks the values of a scenario, and says of a wrong one where it was written.
 ///
@@ -110,36 +107,11 @@ impl Check<'_> {
     /// # Errors
     /// The first [`ConfigError::Invalid`].
     pub fn map(&self, map: &MapConfig) -> Result<(), ConfigError> {
-        match map {
-            MapConfig::Corridor(corridor) => {
-                self.ranged("map.corridor", corridor.check())?;
-                for (i, corner) in corridor.centre_line_m.iter().enumerate() {
-                    let key = format!("map.corridor.centre_line_m.{i}");
-                    if !(2..=3).contains(&corner.len()) {
-                        let got = format!("{} numbers", corner.len());
-                        return Err(self.invalid(&key, &got, "must be [x, y] or [x, y, r]"));
-                    }
-                    for (j, &value_m) in corner.iter().enumerate() {
-                        let low_m = if j == 2 { 0.0 } else { -COORDINATE_MAX_M };
-                        self.range(&format!("{key}.{j}"), value_m, low_m, COORDINATE_MAX_M)?;
-                    }
-                }
-                Ok(())
-            }
-            MapConfig::Walls(walls) => {
-                let outer = walls.outer_m.iter().enumerate().map(|(i, at)| (format!("outer_m.{i}"), at));
-                let inner = walls.inner_m.iter().enumerate().flat_map(|(loop_, corners)| {
-                    let key = move |(i, at)| (format!("inner_m.{loop_}.{i}"), at);
-                    corners.iter().enumerate().map(key)
-                });
-                outer.chain(inner).try_for_each(|(key, &at)| self.point(&format!("map.walls.{key}"), at))
-            }
-            MapConfig::Movingai(grid) => self.ranged("map.movingai", grid.check()),
-            MapConfig::Ros(ros) => {
-                let cell_m = ros.cell_m.map_or(Ok(()), |m| self.range("map.ros.cell_m", m, 0.001, 1000.0));
-                cell_m.and_then(|()| self.ranged("map.ros", ros.check()))
-            }
-        }
+        let table = map.format().table;
+        map.legal().map_err(|Fault { key, got, expected }| {
+            self.invalid(&format!("{table}.{key}"), &got, expected)
+        })?;
+        map.places().into_iter().try_for_each(|(key, at)| self.point(&format!("{table}.{key}"), at))
     }
 
     /// A place in the map's own frame (m).

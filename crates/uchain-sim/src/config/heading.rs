@@ -17,7 +17,8 @@ uchain_core::params! {
         pub description: String;
         /// Simulated time (s); a multiple of the tick, 0.05 s.
         pub duration_s: f64, in 0.05..=86_400.0;
-        /// Where it happens: one of `[map.corridor]`, `[map.walls]`, `[map.movingai]` and `[map.ros]`.
+        /// Where it happens: one of the tables of [`FORMATS`](crate::map::FORMATS).
+        #[schemars(description = format!("Where it happens: one of {}.", crate::map::tables("`")))]
         pub map: MapConfig;
     }
 }

@@ -4,7 +4,8 @@
 
 use uchain_core::params::Key;
 
-use super::{CorridorConfig, Heading, MovingAiConfig, RosConfig, WallsConfig, diagnose::Choices};
+use super::{Heading, diagnose::Choices};
+use crate::map::FORMATS;
 
 /// A table's full name and its keys; of a list of tables the first entry stands for all: `pilot.0`. The empty name is
 /// the top of the file.
@@ -22,15 +23,6 @@ pub struct Keys {
     pub renamed: &'static [(&'static str, &'static str)],
 }
 
-/// Tables that every scenario may have.
-const SHARED: [Table; 5] = [
-    ("", Heading::KEYS),
-    ("map.corridor", CorridorConfig::KEYS),
-    ("map.walls", WallsConfig::KEYS),
-    ("map.movingai", MovingAiConfig::KEYS),
-    ("map.ros", RosConfig::KEYS),
-];
-
 /// All keys that a reader knows: those of the missions it was given, and those that every scenario may have.
 #[derive(Debug)]
 pub struct KnownKeys {
@@ -45,10 +37,13 @@ impl KnownKeys {
     pub fn of(missions: &[&Keys]) -> Self {
         let given = || missions.iter().flat_map(|mission| mission.tables);
         let (top, below) = (given().filter(|(name, _)| name.is_empty()), given());
+        // Tables that every scenario may have.
+        let maps = FORMATS.iter().map(|format| (format.table, format.keys));
+        let shared = std::iter::once(("", Heading::KEYS)).chain(maps);
         let mut keys: Vec<(&str, &Key)> = Vec::new();
-        for (table, held) in top.chain(&SHARED).chain(below) {
-            for key in *held {
-                if !keys.iter().any(|(known, other)| known == table && other.name == key.name) {
+        for (table, held) in top.copied().chain(shared).chain(below.copied()) {
+            for key in held {
+                if !keys.iter().any(|(known, other)| *known == table && other.name == key.name) {
                     keys.push((table, key));
                 }
             }
@@ -147,7 +142,8 @@ mod tests {
         assert_eq!(known.called("only"), ["one.only"]);
         assert_eq!(known.called("robots"), ["one.robots", "two.robots"]);
         let tables: Vec<&str> = known.tables().collect();
-        assert_eq!(tables, ["", "map.corridor", "map.walls", "map.movingai", "map.ros", "one", "two"]);
+        let maps: Vec<&str> = FORMATS.iter().map(|format| format.table).collect();
+        assert_eq!(tables, [&[""][..], &maps, &["one", "two"]].concat());
         let top = known.keys().take_while(|(table, _)| table.is_empty()).map(|(_, key)| key.name);
         assert_eq!(top.collect::<Vec<_>>(), ["name", "one", "two", "description", "duration_s", "map"]);
         // A mission alone knows nothing of the other.

@@ -5,6 +5,7 @@ use super::{
     diagnose::{Choices, Origin, shorten},
     keys::{KnownKeys, join},
 };
+use crate::map::tables;
 
 /// Puts the deserializer's words into ours.
 pub(crate) fn explain(error: &toml::de::Error, document: &Document<'_>) -> ConfigError {
@@ -32,7 +33,7 @@ pub(crate) fn explain(error: &toml::de::Error, document: &Document<'_>) -> Confi
             let choices = Choices { nearest: Some(join(table, name)), known: Vec::new() };
             return ConfigError::UnknownKey { at, key: join(&path, name), choices: Box::new(choices) };
         }
-        let expected = format!("expected {MAPS}");
+        let expected = format!("expected {}", maps());
         return ConfigError::Invalid { at, key: path, got: "{ … }".to_owned(), expected };
     }
     let (found, expected) = message.rsplit_once(", expected ").unwrap_or((message, message));
@@ -41,14 +42,14 @@ pub(crate) fn explain(error: &toml::de::Error, document: &Document<'_>) -> Confi
         Some(got) if !is_within(found, &got) => got,
         _ => plain_value(found),
     };
-    let expected =
-        if path == "map" { MAPS.to_owned() } else { plain_type(expected, &path, document.known()) };
+    let expected = if path == "map" { maps() } else { plain_type(expected, &path, document.known()) };
     ConfigError::Invalid { at, got, key: path, expected: format!("expected {expected}") }
 }
 
 /// What a map may be.
-const MAPS: &str =
-    "one of the tables [map.corridor], [map.walls], [map.movingai] and [map.ros], and only one";
+fn maps() -> String {
+    format!("one of the tables {}, and only one", tables(""))
+}
 
 /// Whether a message is about a piece of a list or table that was given as a whole.
 fn is_within(found: &str, got: &str) -> bool {

@@ -8,7 +8,6 @@ mod heading;
 pub mod help;
 mod keys;
 mod load;
-mod map;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -24,5 +23,8 @@ pub(crate) use document::plain_key;
 pub use heading::Heading;
 pub use keys::{Keys, KnownKeys, Table};
 pub(crate) use load::explain as explain_error;
-pub use map::{CorridorConfig, MapConfig, MovingAiConfig, RosConfig, WallsConfig};
-pub use source::{PRESETS, Preset, Source, TEXT_MAX_BYTES, builtin, builtin_names, kind_of_map};
+pub use source::{PRESETS, Preset, Source, TEXT_MAX_BYTES, builtin, builtin_names};
+
+pub use crate::map::{
+    CorridorConfig, CsvConfig, MapConfig, MovingAiConfig, RosConfig, WallsConfig, kind_of_map,
+};

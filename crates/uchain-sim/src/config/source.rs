@@ -6,6 +6,7 @@ use std::{
 };
 
 use super::{ConfigError, check::NAME_LENGTH_MAX, diagnose::Choices};
+use crate::map::kind_of_map;
 
 /// Longest scenario file (bytes).
 pub const TEXT_MAX_BYTES: u64 = 1 << 20;
@@ -176,20 +177,6 @@ impl Source {
         })?;
         Ok(Self { label, text, folder: path.parent().map(Path::to_owned).unwrap_or_default() })
     }
-}
-
-/// The kind of a map file by the end of its name, as its table within `[map]` is called; `None` for what is no map.
-///
-/// ```
-/// use uchain_sim::config::kind_of_map;
-/// assert_eq!(kind_of_map("city.map".as_ref()), Some("movingai"));
-/// assert_eq!(kind_of_map("mine.toml".as_ref()), None);
-/// ```
-pub fn kind_of_map(path: &Path) -> Option<&'static str> {
-    const KINDS: [(&str, &str); 5] =
-        [("map", "movingai"), ("yaml", "ros"), ("yml", "ros"), ("pgm", "ros"), ("png", "ros")];
-    let end = path.extension()?.to_str()?;
-    KINDS.iter().find(|(known, _)| end.eq_ignore_ascii_case(known)).map(|(_, kind)| *kind)
 }
 
 fn is_toml(path: &Path) -> bool {

@@ -3,15 +3,15 @@
 //! Free space is what an odd number of closed wall loops surrounds; all the rest, out to infinity, is rock. Walls
 //! themselves belong to free space. Coordinates are metres in the map frame, x to the right, y up.
 //!
-//! The parts: [`Map`] answers what is rock and what sees what; [`corridor`] builds a tunnel from a centre line;
-//! [`drawn`] takes wall loops as they are; [`read_ros`] reads a `map_server` map, [`read_moving_ai`] a MovingAI grid;
+//! The parts: [`Map`] answers what is rock and what sees what; [`FORMATS`] are the kinds of maps that a scenario may have:
+//! [`corridor`] builds a tunnel from a centre line; [`drawn`] takes wall loops as they are; [`read_ros`] reads a
+//! `map_server` map, [`read_moving_ai`] a MovingAI grid;
 //! [`Map::centre_path`] finds the middle of a tunnel nobody drew;
 //! [`Geodesic`] measures the way through free space, [`Tunnel`] the depth along the middle.
 
 mod cells;
-mod corridor;
-mod drawn;
 mod error;
+mod formats;
 mod geodesic;
 mod geometry;
 mod grid;
@@ -30,13 +30,16 @@ use rapier2d::prelude::SharedShape;
 use serde::{Deserialize, Serialize};
 
 pub use cells::CellGrid;
-pub use corridor::{Vertex, corridor};
-pub use drawn::drawn;
 pub use error::MapError;
+#[cfg(feature = "schema")]
+pub(crate) use formats::shape;
+pub use formats::{
+    CorridorConfig, CsvConfig, FORMATS, Format, MapConfig, MovingAiConfig, RosConfig, Vertex, WallsConfig,
+    corridor, drawn, kind_of_map, read_moving_ai, read_ros,
+};
+pub(crate) use formats::{FRAME_MAX_M, Fault, tables};
 pub use geodesic::{Geodesic, MOST_CORNERS, Trail};
 pub use geometry::Segment;
-#[cfg(feature = "maps")]
-pub use raster::{read_moving_ai, read_ros};
 pub use tunnel::{CentreLine, Tunnel};
 pub use ways::Ways;
 
@@ -273,22 +276,4 @@ impl Map {
 /// Whether `b → c` runs back over `a → b`.
 fn folds_back(a: DVec2, b: DVec2, c: DVec2) -> bool {
     geometry::orient(a, b, c) == 0.0 && (b - a).dot(c - b) < 0.0
-}
-
-/// Without the feature `maps`, nothing is read.
-///
-/// # Errors
-/// Always [`MapError::NoMapFiles`].
-#[cfg(not(feature = "maps"))]
-pub fn read_ros(yaml: &std::path::Path, _: Unknown, _: Option<f64>, _: f64) -> Result<Map, MapError> {
-    Err(MapError::NoMapFiles { file: yaml.to_owned() })
-}
-
-/// Without the feature `maps`, nothing is read.
-///
-/// # Errors
-/// Always [`MapError::NoMapFiles`].
-#[cfg(not(feature = "maps"))]
-pub fn read_moving_ai(file: &std::path::Path, _: f64) -> Result<Map, MapError> {
-    Err(MapError::NoMapFiles { file: file.to_owned() })
 }

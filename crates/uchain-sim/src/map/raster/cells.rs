@@ -5,15 +5,15 @@ use crate::map::Unknown;
 
 /// How a pixel's darkness is read.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Levels {
+pub(in crate::map) struct Levels {
     /// Whether light is occupied.
-    pub(super) negate: bool,
+    pub(in crate::map) negate: bool,
     /// Darkness above which a cell is rock, 0 to 1.
-    pub(super) occupied: f64,
+    pub(in crate::map) occupied: f64,
     /// Darkness below which a cell is free, 0 to 1.
-    pub(super) free: f64,
+    pub(in crate::map) free: f64,
     /// Whether a cell is unknown if it is not wholly opaque, however dark.
-    pub(super) by_opacity: bool,
+    pub(in crate::map) by_opacity: bool,
 }
 
 impl Levels {
@@ -25,7 +25,7 @@ impl Levels {
 
 /// Which cells of a picture are free. Row 0 is the lowest.
 #[derive(Debug)]
-pub(super) struct Cells {
+pub(in crate::map) struct Cells {
     cols: usize,
     rows: usize,
     free: Vec<bool>,
@@ -33,11 +33,15 @@ pub(super) struct Cells {
 
 impl Cells {
     /// `free` holds rows of `cols` cells, from the lowest row up.
-    pub(super) fn new(cols: usize, free: Vec<bool>) -> Self {
+    pub(in crate::map) fn new(cols: usize, free: Vec<bool>) -> Self {
         Self { cols, rows: free.len().checked_div(cols).unwrap_or(0), free }
     }
 
-    pub(super) fn decode(file: &[u8], levels: Levels, unknown: Unknown) -> Result<Self, PictureError> {
+    pub(in crate::map) fn decode(
+        file: &[u8],
+        levels: Levels,
+        unknown: Unknown,
+    ) -> Result<Self, PictureError> {
         let picture = Picture::decode(file)?;
         let cols = picture.cols();
         let is_free = |pixel: Pixel| {
@@ -57,16 +61,16 @@ impl Cells {
         Ok(Self::new(cols, free))
     }
 
-    pub(super) fn cols(&self) -> usize {
+    pub(in crate::map) fn cols(&self) -> usize {
         self.cols
     }
 
-    pub(super) fn rows(&self) -> usize {
+    pub(in crate::map) fn rows(&self) -> usize {
         self.rows
     }
 
     /// Whether a cell is free; outside the picture none is.
-    pub(super) fn is_free(&self, col: isize, row: isize) -> bool {
+    pub(in crate::map) fn is_free(&self, col: isize, row: isize) -> bool {
         let (Ok(col), Ok(row)) = (usize::try_from(col), usize::try_from(row)) else { return false };
         col < self.cols && self.free.get(row * self.cols + col).copied().unwrap_or(false)
     }

@@ -1,28 +1,23 @@
-//! Maps of square cells, as files: ROS `map_server` and MovingAI.
+//! Maps of square cells, made into walls.
 
-mod cells;
+pub(super) mod cells;
 mod contour;
-mod moving_ai;
 mod picture;
-mod ros;
 mod simplify;
 #[cfg(test)]
 mod tests;
-mod words;
+pub(super) mod words;
 
 use std::{fs::File, io::Read as _, path::Path};
 
 use glam::DVec2;
-
-pub use moving_ai::read_moving_ai;
-pub use ros::read_ros;
 
 use super::{Map, MapError};
 use cells::Cells;
 
 /// The edges between free cells and all others as walls, each within `simplify_m` of the cells' own edge. `place` takes
 /// a corner, in cells from the lower left, to the file's own frame (m).
-fn to_map(
+pub(super) fn to_map(
     cells: &Cells,
     cell_m: f64,
     simplify_m: f64,
@@ -46,7 +41,7 @@ fn to_map(
 }
 
 /// A whole file of at most `most` bytes.
-fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
+pub(super) fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(|error| error.to_string())?;
     file.take(most + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;

@@ -7,9 +7,9 @@ use proptest::prelude::*;
 
 use super::{
     cells::{Cells, Levels},
-    contour, read_ros, simplify,
+    contour, simplify,
 };
-use crate::map::{Map, MapError, Unknown};
+use crate::map::{Map, MapError, Unknown, formats::ros::read::Meta, read_ros};
 
 const YAML: &str = "image: map.pgm\nresolution: 0.5\norigin: [10.0, 20.0, 0.0]\nnegate: 0\n\
                     occupied_thresh: 0.65\nfree_thresh: 0.196\nmade_by: nobody\n";
@@ -275,7 +275,7 @@ proptest! {
         let _ = Cells::decode(&png, levels, Unknown::Rock);
         let cut = cut % YAML.len();
         let _ = read(&String::from_utf8_lossy(&[&YAML.as_bytes()[..cut], &yaml].concat()), PGM.as_bytes(), Unknown::Rock);
-        let _ = super::ros::Meta::parse("map.yaml".as_ref(), &yaml);
+        let _ = Meta::parse("map.yaml".as_ref(), &yaml);
     }
 }
 

@@ -3,7 +3,7 @@
 use serde_saphyr::Error;
 
 /// Why a yaml text cannot be read, with the line it stands in.
-pub(super) fn yaml(error: &Error, text: &str) -> String {
+pub(in crate::map) fn yaml(error: &Error, text: &str) -> String {
     let error = error.without_snippet();
     let line = error.location().and_then(|at| usize::try_from(at.line()).ok());
     let place = |line: Option<usize>| line.map_or_else(String::new, |line| format!("line {line}: "));

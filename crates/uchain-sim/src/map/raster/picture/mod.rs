@@ -13,7 +13,7 @@ const MOST_CELLS: u64 = 1 << 26;
 
 /// Why a picture cannot be read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-pub(super) enum PictureError {
+pub(in crate::map) enum PictureError {
     /// Another format, or a kind of PAM that its definition does not know.
     #[error("no picture that is read here; expected a PNG or PGM")]
     Unknown,

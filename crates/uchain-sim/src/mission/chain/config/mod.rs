@@ -73,7 +73,8 @@ uchain_core::params! {
         pub preset: Option<String>;
         /// Simulated time (s); a multiple of the tick, 0.05 s.
         pub duration_s: f64, in 0.05..=86_400.0;
-        /// The tunnel: one of `[map.corridor]`, `[map.walls]`, `[map.movingai]` and `[map.ros]`.
+        /// The tunnel: one of the tables of [`FORMATS`](crate::map::FORMATS).
+        #[schemars(description = format!("The tunnel: one of {}.", crate::map::tables("`")))]
         pub map: MapConfig;
         /// Who flies and where they wait.
         pub chain: ChainConfig;

@@ -3,8 +3,10 @@
 
 use std::path::Path;
 
-use super::{cells::Cells, read, to_map};
-use crate::map::{Map, MapError};
+use crate::map::{
+    Map, MapError,
+    raster::{cells::Cells, read, to_map},
+};
 
 /// Most bytes of a file: 8192 cells a side, and its head.
 const MOST_BYTES: u64 = (1 << 26) + (1 << 14);

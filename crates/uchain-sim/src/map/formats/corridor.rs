@@ -1,12 +1,70 @@
 //! A corridor of one width along a centre line.
 
+use std::path::Path;
+
 use glam::{DVec2, Vec2};
+use serde::{Deserialize, Serialize};
 use uchain_core::bounded;
 
-use super::{
+use super::{COORDINATE_MAX_M, Fault, Format, MapFormat};
+use crate::map::{
     CentreLine, FARTHEST_M, MOST_WALLS, Map, MapError,
     tunnel::centre_line::{Shape, unit},
 };
+
+pub(super) const FORMAT: Format = Format { table: "map.corridor", keys: CorridorConfig::KEYS, ends: &[] };
+
+uchain_core::params! {
+    /// A corridor of one width along a centre line.
+    #[derive(Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct CorridorConfig {
+        /// Corners of the centre line: `[x, y]` (m), or `[x, y, r]` with a bend of radius r there (m).
+        #[schemars(schema_with = "super::shape::corners")]
+        pub centre_line_m: Vec<Vec<f64>>;
+        /// Free width, wall to wall (m).
+        pub width_m: f64, in 0.1..=100.0;
+        /// Whether the last corner joins the first again.
+        #[serde(default)]
+        pub closed: bool;
+    }
+}
+
+impl MapFormat for CorridorConfig {
+    fn legal(&self) -> Result<(), Fault> {
+        self.check()?;
+        for (i, corner) in self.centre_line_m.iter().enumerate() {
+            let key = format!("centre_line_m.{i}");
+            if !(2..=3).contains(&corner.len()) {
+                let got = format!("{} numbers", corner.len());
+                return Err(Fault { key, got, expected: "must be [x, y] or [x, y, r]".to_owned() });
+            }
+            for (j, &value_m) in corner.iter().enumerate() {
+                let low_m = if j == 2 { 0.0 } else { -COORDINATE_MAX_M };
+                Fault::range(&format!("{key}.{j}"), value_m, low_m, COORDINATE_MAX_M)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Around the place, which is the base: there `f32` is finest, wherever the scenario's own frame has its origin.
+    fn lay(&self, _: &Path, [x_m, y_m]: [f64; 2]) -> Result<(Map, Option<CentreLine>), MapError> {
+        let around = |x_m: f64, y_m: f64| {
+            let corner = |numbers: &Vec<f64>| Vertex {
+                x: numbers.first().copied().unwrap_or_default() - x_m,
+                y: numbers.get(1).copied().unwrap_or_default() - y_m,
+                bend_radius_m: numbers.get(2).copied().unwrap_or_default(),
+            };
+            let corners: Vec<Vertex> = self.centre_line_m.iter().map(corner).collect();
+            corridor(&corners, self.width_m, self.closed)
+        };
+        match around(x_m, y_m) {
+            Ok((map, line)) => Ok((map.with_offset_m([x_m, y_m]), Some(line))),
+            // What is wrong is said in the scenario's own coordinates.
+            Err(cause) => Err(around(0.0, 0.0).err().unwrap_or(cause)),
+        }
+    }
+}
 
 /// Most corners of a centre line.
 const MOST_CORNERS: usize = 10_000;

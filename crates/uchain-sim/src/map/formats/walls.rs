@@ -1,10 +1,50 @@
 //! Maps drawn by hand: wall loops in metres.
 
-use std::ops::ControlFlow;
+use std::{ops::ControlFlow, path::Path};
 
 use glam::{DVec2, Vec2};
+use serde::{Deserialize, Serialize};
 
-use super::{FARTHEST_M, Map, MapError, geometry::orient};
+use super::{Fault, Format, MapFormat};
+use crate::map::{CentreLine, FARTHEST_M, Map, MapError, geometry::orient};
+
+pub(super) const FORMAT: Format = Format { table: "map.walls", keys: WallsConfig::KEYS, ends: &[] };
+
+uchain_core::params! {
+    /// Walls drawn one by one, as closed loops of corners `[x, y]` (m). Loops neither cross nor touch. Rock within rock
+    /// is rock, and beyond the outer wall all is.
+    #[derive(Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct WallsConfig {
+        /// Corners of what surrounds the free space (m).
+        #[schemars(schema_with = "super::shape::points")]
+        pub outer_m: Vec<[f64; 2]>;
+        /// Corners of the solid pieces that stand in it (m).
+        #[serde(default)]
+        #[schemars(schema_with = "super::shape::loops")]
+        pub inner_m: Vec<Vec<[f64; 2]>>;
+    }
+}
+
+impl MapFormat for WallsConfig {
+    fn legal(&self) -> Result<(), Fault> {
+        Ok(self.check()?)
+    }
+
+    fn places(&self) -> Vec<(String, [f64; 2])> {
+        let outer = self.outer_m.iter().enumerate().map(|(i, &at)| (format!("outer_m.{i}"), at));
+        let inner = self.inner_m.iter().enumerate().flat_map(|(loop_, corners)| {
+            corners.iter().enumerate().map(move |(i, &at)| (format!("inner_m.{loop_}.{i}"), at))
+        });
+        outer.chain(inner).collect()
+    }
+
+    fn lay(&self, _: &Path, _: [f64; 2]) -> Result<(Map, Option<CentreLine>), MapError> {
+        let loops: Vec<Vec<[f64; 2]>> =
+            std::iter::once(&self.outer_m).chain(&self.inner_m).cloned().collect();
+        drawn(&loops).map(|map| (map, None))
+    }
+}
 
 /// A map from closed wall loops, in the drawing's own frame (m). Free space is what the first loop surrounds, but for
 /// the pieces of rock that the others surround: rock within rock is rock, and beyond the first loop all is. Such loops

@@ -16,11 +16,13 @@ use std::{
 use glam::DVec2;
 use serde::{Deserialize, de::IgnoredAny};
 
-use super::{
-    cells::{Cells, Levels},
-    read, to_map, words,
+use crate::map::{
+    Map, MapError, Unknown,
+    raster::{
+        cells::{Cells, Levels},
+        read, to_map, words,
+    },
 };
-use crate::map::{Map, MapError, Unknown};
 
 /// Most bytes of a yaml file.
 const MOST_YAML_BYTES: u64 = 1 << 16;
@@ -67,7 +69,7 @@ pub fn read_ros(
 }
 
 /// What the yaml file says, checked.
-pub(super) struct Meta {
+pub(in crate::map) struct Meta {
     image: PathBuf,
     resolution_m: f64,
     corner: DVec2,
@@ -77,7 +79,7 @@ pub(super) struct Meta {
 }
 
 impl Meta {
-    pub(super) fn parse(file: &Path, bytes: &[u8]) -> Result<Self, MapError> {
+    pub(in crate::map) fn parse(file: &Path, bytes: &[u8]) -> Result<Self, MapError> {
         let unreadable = |why: String| MapError::Read { file: file.to_owned(), why };
         let text = std::str::from_utf8(bytes).map_err(|error| {
             unreadable(format!("no text from byte {} on; expected a map_server yaml", error.valid_up_to()))

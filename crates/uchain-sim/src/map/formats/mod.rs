@@ -1,0 +1,183 @@
+//! The kinds of maps there are, in one table: how each is called within `[map]`, which keys it has, which files are known
+//! as one by the ends of their names, and how it is read. A new one is a file in this folder and a line in the table.
+
+mod corridor;
+mod csv;
+mod moving_ai;
+pub(in crate::map) mod ros;
+#[cfg(feature = "schema")]
+pub(crate) mod shape;
+#[cfg(test)]
+mod tests;
+mod walls;
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use uchain_core::params::{Key, OutOfRange};
+
+use super::{CentreLine, Map, MapError};
+
+pub use corridor::{CorridorConfig, Vertex, corridor};
+pub use csv::CsvConfig;
+pub use moving_ai::{MovingAiConfig, read_moving_ai};
+pub use ros::{RosConfig, read_ros};
+pub use walls::{WallsConfig, drawn};
+
+/// Farthest place in a map's own frame (m): a surveyor's coordinates; `f64` keeps a millimetre there with ease.
+pub(crate) const FRAME_MAX_M: f64 = 1e9;
+
+/// Farthest corner of a corridor (m); `f32` keeps a centimetre there.
+pub(crate) const COORDINATE_MAX_M: f64 = 100_000.0;
+
+/// A kind of maps: a row of [`FORMATS`].
+#[derive(Debug, Clone, Copy)]
+pub struct Format {
+    /// Its table in a scenario: `map.ros`.
+    pub table: &'static str,
+    /// The keys of that table. Where a map is a file, `file` is its path.
+    pub keys: &'static [Key],
+    /// Ends of the names of files that are such maps; empty for maps that stand in the scenario itself.
+    pub ends: &'static [&'static str],
+}
+
+impl Format {
+    /// What it is called within `[map]`: `ros`.
+    pub fn word(&self) -> &'static str {
+        self.table.strip_prefix("map.").unwrap_or(self.table)
+    }
+
+    /// The key that a fault of the map is a fault of.
+    pub(crate) fn fault_key(&self) -> String {
+        if self.ends.is_empty() { self.table.to_owned() } else { format!("{}.file", self.table) }
+    }
+}
+
+/// A value of a map's table that is not legal.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Fault {
+    /// Its key within the table.
+    pub(crate) key: String,
+    /// What was found.
+    pub(crate) got: String,
+    /// What was expected.
+    pub(crate) expected: String,
+}
+
+impl Fault {
+    /// A number by its legal range, both ends included.
+    fn range(key: &str, got: f64, low: f64, high: f64) -> Result<(), Self> {
+        if (low..=high).contains(&got) {
+            return Ok(());
+        }
+        let expected = format!("must lie in {low}..={high}");
+        Err(Self { key: key.to_owned(), got: got.to_string(), expected })
+    }
+}
+
+impl From<OutOfRange> for Fault {
+    fn from(OutOfRange { key, got, low, high }: OutOfRange) -> Self {
+        Self { key: key.to_owned(), got: got.to_string(), expected: format!("must lie in {low}..={high}") }
+    }
+}
+
+/// What the values of a map's table come to.
+trait MapFormat {
+    /// The first value that is not legal.
+    fn legal(&self) -> Result<(), Fault>;
+
+    /// Places in the map's own frame (m) that stand among the values, with their keys within the table.
+    fn places(&self) -> Vec<(String, [f64; 2])> {
+        Vec::new()
+    }
+
+    /// The map, and its middle if it is known by the way it is made. Files are read from `folder`; what has no place of its
+    /// own is built around `around_m`.
+    fn lay(&self, folder: &Path, around_m: [f64; 2]) -> Result<(Map, Option<CentreLine>), MapError>;
+}
+
+macro_rules! formats {
+    ($($(#[$meta:meta])* $Name:ident($Config:ty) = $row:path;)*) => {
+        /// Where the map comes from: one of the tables of [`FORMATS`].
+        #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+        #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+        pub enum MapConfig {
+            $($(#[$meta])* $Name($Config),)*
+        }
+
+        /// The kinds of maps, in the order in which messages name them.
+        pub const FORMATS: &[Format] = &[$($row),*];
+
+        impl MapConfig {
+            /// Its row of the table.
+            pub fn format(&self) -> &'static Format {
+                match self {
+                    $(Self::$Name(_) => &$row,)*
+                }
+            }
+
+            fn values(&self) -> &dyn MapFormat {
+                match self {
+                    $(Self::$Name(config) => config,)*
+                }
+            }
+        }
+    };
+}
+
+formats! {
+    /// A corridor of one width along a centre line.
+    Corridor(CorridorConfig) = corridor::FORMAT;
+    /// Walls drawn one by one.
+    Walls(WallsConfig) = walls::FORMAT;
+    /// A grid map of the MovingAI benchmarks.
+    Movingai(MovingAiConfig) = moving_ai::FORMAT;
+    /// A ROS `map_server` map.
+    Ros(RosConfig) = ros::FORMAT;
+    /// Wall loops as a table of their corners.
+    Csv(CsvConfig) = csv::FORMAT;
+}
+
+impl MapConfig {
+    /// The map, and its middle if it is a corridor, which is built around a place (m). Files are read from `folder`.
+    ///
+    /// # Errors
+    /// [`MapError`]: no such file, or no map.
+    pub fn lay(&self, folder: &Path, around_m: [f64; 2]) -> Result<(Map, Option<CentreLine>), MapError> {
+        self.values().lay(folder, around_m)
+    }
+
+    /// The first value that is not legal.
+    pub(crate) fn legal(&self) -> Result<(), Fault> {
+        self.values().legal()
+    }
+
+    /// Places in the map's own frame (m) that stand among the values, with their keys within the table.
+    pub(crate) fn places(&self) -> Vec<(String, [f64; 2])> {
+        self.values().places()
+    }
+}
+
+/// The kind of a map file by the end of its name, as its table within `[map]` is called; `None` for what is no map.
+///
+/// ```
+/// use uchain_sim::config::kind_of_map;
+/// assert_eq!(kind_of_map("city.map".as_ref()), Some("movingai"));
+/// assert_eq!(kind_of_map("mine.toml".as_ref()), None);
+/// ```
+pub fn kind_of_map(path: &Path) -> Option<&'static str> {
+    let end = path.extension()?.to_str()?;
+    let is_it = |format: &&Format| format.ends.iter().any(|known| end.eq_ignore_ascii_case(known));
+    FORMATS.iter().find(is_it).map(Format::word)
+}
+
+/// All tables in words, each between quotes: "[map.corridor], [map.walls] and [map.ros]".
+pub(crate) fn tables(quote: &str) -> String {
+    let names: Vec<String> =
+        FORMATS.iter().map(|format| format!("{quote}[{}]{quote}", format.table)).collect();
+    match names.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => names.concat(),
+    }
+}
