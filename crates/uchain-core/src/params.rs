@@ -5,7 +5,8 @@
 pub struct Key {
     /// The field's name, unit included; the same in a scenario file.
     pub name: &'static str,
-    /// Smallest and largest legal value, both included; `None` where any value of the type is legal.
+    /// Smallest and largest legal value, both included, in the unit of the name; `None` where any value of the type is
+    /// legal.
     pub range: Option<(f64, f64)>,
     /// The field's doc comment, line by line: meaning and unit, then a list of symbol, equation and source.
     pub doc: &'static str,
@@ -16,7 +17,7 @@ pub struct Key {
 pub struct OutOfRange {
     /// The field's name.
     pub key: &'static str,
-    /// The value found (NaN and infinities included).
+    /// The value found (NaN and infinities included), in the unit of the name, as are both bounds.
     pub got: f64,
     /// Smallest legal value.
     pub low: f64,

@@ -19,13 +19,13 @@ pub const TOF_RANGE_M: f32 = 2.0;
 /// Distances along the four diagonal ToF beams (m); a beam without a return reads its range limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tof {
-    /// Front left, +45°.
+    /// Front left, +45° (m).
     pub nw_m: f32,
-    /// Front right, −45°.
+    /// Front right, −45° (m).
     pub ne_m: f32,
-    /// Rear left, +135°.
+    /// Rear left, +135° (m).
     pub sw_m: f32,
-    /// Rear right, −135°.
+    /// Rear right, −135° (m).
     pub se_m: f32,
 }
 

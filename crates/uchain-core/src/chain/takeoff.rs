@@ -66,8 +66,8 @@ pub struct Takeoff {
 }
 
 impl Takeoff {
-    /// Whether to take off now. `loss_db`: loss to the last UAV of the chain; `front`: what that UAV
-    /// said last; `period_s`: the decision period. The hold starts with the first decision above the
+    /// Whether to take off now. `loss_db`: loss to the last UAV of the chain (dB, bigger is worse; one that is
+    /// not a number launches nobody); `front`: what that UAV said last; `period_s`: the decision period (s). The hold starts with the first decision above the
     /// threshold, so that 0 launches at once.
     pub fn due(&mut self, loss_db: f32, front: &Packet, period_s: f32, params: &TakeoffParams) -> bool {
         let level = params.launch == Launch::Threshold || front.imbalance_db <= params.converged_db;

@@ -27,9 +27,9 @@ pub const GRAVITY_MPS2: f32 = 9.806_65;
 /// How a body is turned: a unit quaternion that takes its axes to the world's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attitude {
-    /// Vector part.
+    /// Vector part: axis times the sine of half the angle (1).
     pub xyz: [f32; 3],
-    /// Scalar part.
+    /// Scalar part: cosine of half the angle (1).
     pub w: f32,
 }
 

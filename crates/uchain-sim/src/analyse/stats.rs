@@ -6,7 +6,7 @@ use statrs::distribution::{ContinuousCDF as _, StudentsT};
 /// Share of intervals that hold the true mean.
 const CONFIDENCE: f64 = 0.95;
 
-/// Mean and median of a sample, and how well the mean is known.
+/// Mean and median of a sample, and how well the mean is known; all in the unit of the sample.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Estimate {
     /// How many values.

@@ -151,7 +151,7 @@ impl Difference {
         format!("tick {tick} ({:.2} s), {whose}{field}", time_s(*tick))
     }
 
-    /// How far apart two numbers are; `None` of anything else.
+    /// How far apart two numbers are, in the unit of the field; `None` of anything else.
     pub fn size(&self) -> Option<f64> {
         match (self.here, self.there) {
             (Value::Number(a), Value::Number(b)) => Some((f64::from(a) - f64::from(b)).abs()),

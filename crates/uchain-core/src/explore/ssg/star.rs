@@ -88,13 +88,13 @@ impl Cones {
         (half % (2 * self.count)) as f32 * (TAU / (2 * self.count) as f32)
     }
 
-    /// The point at a distance along a half sector.
+    /// The point at a distance (m) along a half sector, by its number from 0; one past the last goes on from the first.
     pub fn point(&self, from: Point, half: usize, distance_m: f32) -> Point {
         let [ux, uy] = self.units.get(half % (2 * self.count)).copied().unwrap_or([1.0, 0.0]);
         Point { x_m: from.x_m + distance_m * ux, y_m: from.y_m + distance_m * uy }
     }
 
-    /// The sector that a direction lies in; sector 0 for one that is not finite.
+    /// The sector that a direction (rad) lies in, from 0; sector 0 for one that is not finite.
     pub fn facing_rad(&self, angle_rad: f32) -> usize {
         let turned = libm::fmodf(angle_rad, TAU);
         let positive = if turned < 0.0 { turned + TAU } else { turned };

@@ -127,7 +127,7 @@ pub enum Outcome {
         after_s: f64,
     },
     /// Chain: the head is where its pilot asked it to be, every link was heard, and every one was within
-    /// `takeoff.s_min_db`.
+    /// The largest loss it may have, `takeoff.s_min_db` (dB).
     Completed {
         /// What the pilot asked of the head, and what came; `None` where a recording does not say.
         way: Option<Way>,

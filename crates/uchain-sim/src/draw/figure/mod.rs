@@ -33,7 +33,7 @@ pub struct Axes {
     pub y: String,
     /// Words at 1, 2, 3 and so on of the horizontal axis; numbers if there are none.
     pub words: Vec<String>,
-    /// Height of the box.
+    /// Height of the box (px of the SVG; less than 60 counts as 60).
     pub height: f64,
     /// What is in it.
     pub marks: Vec<Mark>,

@@ -42,7 +42,7 @@ pub struct GridRays {
 }
 
 impl GridRays {
-    /// Rays in the walls of a map, at their best up to `range_m`; longer ones may be cast too.
+    /// Rays in the walls of a map, at their best up to `range_m` (m); longer ones may be cast too.
     pub fn new(map: &Map, range_m: f32) -> Self {
         let (walls, bounds) = (map.walls(), map.bounds());
         // No sum has a number larger than this.

@@ -16,7 +16,7 @@ pub struct PointMass {
 }
 
 impl PointMass {
-    /// A point at rest.
+    /// A point at rest, that flies over ground and climbs at these speeds (m/s, both above 0).
     pub fn new(at: Waypoint, v_mps: f32, climb_mps: f32) -> Self {
         Self { v_mps, climb_mps, from: at, to: at, ticks: 0 }
     }
