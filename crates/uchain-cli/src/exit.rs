@@ -128,7 +128,7 @@ impl From<FlightError> for Failure {
         match error {
             FlightError::Draw(error) => Self::Draw(error),
             FlightError::Json(error) => Self::Json(error),
-            error @ FlightError::NotFlown => Self::Flight(error),
+            error => Self::Flight(error),
         }
     }
 }
@@ -160,15 +160,9 @@ fn sweep_exit(error: &FolderError) -> Exit {
         | FolderError::Another { .. }
         | FolderError::Occupied { .. }
         | FolderError::Busy { .. } => Exit::Usage,
-        FolderError::Io { .. }
-        | FolderError::NoSweep { .. }
-        | FolderError::Damaged { .. }
-        | FolderError::Contradiction { .. }
-        | FolderError::Missing { .. }
-        | FolderError::NoTable { .. }
-        | FolderError::NoSuchRun { .. }
-        | FolderError::Design(_) => Exit::InputInvalid,
         FolderError::Interrupted => Exit::Interrupted,
+        // Nothing to read there, or not what it should be.
+        _ => Exit::InputInvalid,
     }
 }
 

@@ -46,6 +46,7 @@ const SEED: u64 = 1;
 
 /// Why an item could not be regenerated.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum PaperError {
     /// Its scenario or design cannot be flown.
     #[error(transparent)]

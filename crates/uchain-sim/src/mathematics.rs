@@ -33,6 +33,7 @@ pub fn is_libm() -> bool {
 
 /// Mathematics that is not `uchain_libm`'s: a reason for other bits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Foreign {
     /// That of this program.
     Here,

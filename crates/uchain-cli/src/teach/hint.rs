@@ -36,11 +36,7 @@ pub(crate) fn hint(registry: Registry, failure: &Failure) -> Option<String> {
         | ConfigError::Invalid { key, .. } => {
             registry.explain(key).is_ok().then(|| format!("what may stand there: uchain explain {key}"))
         }
-        ConfigError::NotText { .. }
-        | ConfigError::TooLong { .. }
-        | ConfigError::Syntax { .. }
-        | ConfigError::Set { .. }
-        | ConfigError::Map { .. } => None,
+        _ => None,
     }
 }
 

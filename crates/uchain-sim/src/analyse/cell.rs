@@ -36,6 +36,7 @@ pub type Field<S> = (&'static str, Kind, fn(&S) -> Cell);
 /// One cell. Numbers are finite; what is not is absent.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
+#[non_exhaustive]
 pub enum Cell {
     /// Nothing.
     Absent,

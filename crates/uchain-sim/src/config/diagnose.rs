@@ -60,6 +60,7 @@ impl fmt::Display for Origin {
 /// Why a scenario cannot be flown. Every message names the place, the key, what was found and what was
 /// expected.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ConfigError {
     /// No compiled-in scenario of this name.
     #[error(

@@ -23,6 +23,7 @@ pub(crate) const LONGEST_HEADLINE: usize = 86;
 
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum DrawError {
     /// The picture cannot be turned into a PNG.
     #[error("cannot draw the picture: {0}")]

@@ -272,6 +272,7 @@ impl<S: Sink, T: Topics<Scene: Scene>> MessageRecorder<S, T> {
 /// Why a mission is over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Stopped {
     /// No frontier is left, and all are home.
     Explored,

@@ -7,6 +7,7 @@ use crate::clock::time_s;
 
 /// Whose value it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Whose {
     /// The frame's own.
     Frame,
@@ -28,6 +29,7 @@ impl fmt::Display for Whose {
 
 /// A field's value. Numbers are equal when their bits are.
 #[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
 pub enum Value {
     /// In the unit of the field's name.
     Number(f32),

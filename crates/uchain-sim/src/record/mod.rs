@@ -44,6 +44,7 @@ pub trait Recorder<F> {
 
 /// Why a recorder ended a run.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum RecordError {
     /// The caller asked to stop (Ctrl-C).
     #[error("interrupted at {time_s:.1} s of simulated time")]

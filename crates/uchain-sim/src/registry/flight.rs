@@ -14,6 +14,7 @@ use crate::{
 
 /// Why a run has no results.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum FlightError {
     /// It has not been flown.
     #[error("it has not been flown to its end")]

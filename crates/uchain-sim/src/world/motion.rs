@@ -61,6 +61,7 @@ impl From<Box<dyn Vehicle>> for Start {
 
 /// What a world cannot do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum WorldError {
     /// No such body.
     #[error("body {body} does not exist: this world has {count}, counted from 0")]

@@ -10,6 +10,7 @@ use serde::{Serialize, Serializer, ser::SerializeStruct as _};
 /// [`Outcome::Completed`] and [`Outcome::Explored`] are the two that are as they should be, and [`Outcome::Own`] if it
 /// says so; every other one is a failure. [`Outcome::word`] is stable: the file `summary.json`, the table of a sweep and scripts know it.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Outcome {
     /// The flight is known up to somewhere in the middle only.
     Interrupted {
@@ -156,6 +157,7 @@ pub enum Outcome {
 
 /// Why a link was broken.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Break {
     /// Its loss was at or beyond `packets.limit_db`.
     Loss {

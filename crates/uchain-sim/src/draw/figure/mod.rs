@@ -52,6 +52,7 @@ pub enum Stroke {
 
 /// Something in a box of axes. What has a name is in the legend, light lines aside.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Mark {
     /// A line through points.
     Line {

@@ -2,6 +2,7 @@
 
 /// What a UAV is about, seen from the chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Member {
     /// On the ground, and has not flown since it joined: it takes off when it is its turn.
     Waiting,
@@ -15,6 +16,7 @@ pub enum Member {
 
 /// Why the list was not changed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MemberError {
     /// No such UAV.
     #[error("there is no UAV {uav}: there are {uavs}, from 0")]

@@ -22,6 +22,7 @@ const VARIANT_MAX_BYTES: usize = 64 << 10;
 
 /// Why there is no such sweep. Nothing has been flown.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum DesignError {
     /// What stands behind `--vary` is no list and no range.
     #[error("--vary {typed}: {why}")]

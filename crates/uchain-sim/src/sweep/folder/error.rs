@@ -9,6 +9,7 @@ use crate::sweep::{DesignError, PoolError};
 
 /// Why a sweep's folder is not what it should be. What was finished before stays.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum FolderError {
     /// The system said no.
     #[error("{}: cannot {doing}: {cause}", path.display())]

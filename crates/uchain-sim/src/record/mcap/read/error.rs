@@ -4,6 +4,7 @@ use std::io;
 
 /// Why a recording cannot be read. Every message names the place in the file.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ReadError {
     /// The system said no.
     #[error("cannot read: {0}")]
