@@ -1,10 +1,11 @@
-//! Every program in `examples/` runs, ends well and prints what its own head says it prints.
+//! Every program in `examples/` runs, ends well and prints what its own head says it prints; and a stranger's package, in
+//! another workspace and with nothing but path dependencies, builds and runs those of them that show a seam.
 
 use std::{fs, path::Path, process::Command};
 
 use anyhow::{Context as _, Result, ensure};
 
-use super::Outcome;
+use super::{LIBM_ONLY, Outcome};
 use crate::house::{House, read, run};
 
 pub(super) fn print_what_they_say(house: &House) -> Result<Outcome> {
@@ -20,6 +21,21 @@ pub(super) fn print_what_they_say(house: &House) -> Result<Outcome> {
     ensure!(!sources.is_empty(), "{} is empty", folder.display());
     for source in sources {
         let program = house.target.join("checked/examples").join(source.file_stem().unwrap_or_default());
+        runs_as_said(&source, &mut Command::new(program))?;
+    }
+    Ok(Outcome::Passed)
+}
+
+/// What a stranger has to be able to do with the public items of the libraries: fly, and answer each question in his own
+/// way.
+const STRANGERS: [&str; 4] = ["fly", "own_law", "own_strategy", "own_mission"];
+
+pub(super) fn build_elsewhere(house: &House) -> Result<Outcome> {
+    // All of that workspace, as in the step `libm`: same features, so that nothing compiles a second time.
+    run(&mut house.cargo_in(LIBM_ONLY, "build --locked --release --workspace --features control"))?;
+    for name in STRANGERS {
+        let source = house.root.join("examples").join(name).with_extension("rs");
+        let program = house.built(LIBM_ONLY).join("release").join(name);
         runs_as_said(&source, &mut Command::new(program))?;
     }
     Ok(Outcome::Passed)

@@ -77,6 +77,11 @@ pub(crate) const STEPS: &[Step] = &[
         run: libm::imports_nothing,
     },
     Step {
+        name: "stranger",
+        about: "a package elsewhere, with path dependencies only, builds and runs the examples of every seam",
+        run: examples::build_elsewhere,
+    },
+    Step {
         name: "digest",
         about: "one seed, one digest: debug, release, tests, a CPU without FMA",
         run: digest::agrees,
