@@ -68,7 +68,6 @@ fn bang(uav: usize, params: &NodeParams) -> Box<dyn Brain> {
 }
 
 /// The missions of this program: chains whose scenarios may say `chain.brain = "bang"`.
-#[allow(clippy::needless_update, reason = "more kinds of answers may come")]
 static MISSIONS: [&dyn AnyMission; 1] =
     [&Of::<Course>::with(ChainExtensions { brains: &[("bang", bang)], ..Course::BUILTIN })];
 

@@ -38,7 +38,6 @@ impl Strategy for Widest {
 const WIDEST: StrategyKind = StrategyKind::new("widest", "The widest frontier here.", |_| Box::new(Widest));
 
 /// The missions of this program: explorations that know the word.
-#[allow(clippy::needless_update, reason = "more kinds of answers may come")]
 static MISSIONS: [&dyn AnyMission; 1] =
     [&Of::<Site>::with(SiteExtensions { strategies: &[WIDEST], ..Site::BUILTIN })];
 

@@ -32,9 +32,11 @@
 //! | question | trait | gets into a scenario by |
 //! |---|---|---|
 //! | how does a UAV of a chain decide | [`uchain_core::chain::Brain`] | [`ChainExtensions`](mission::chain::ChainExtensions) |
+//! | what does a link lose between two places | [`radio::RadioModel`] | both of them |
 //! | where does an explorer fly next | [`uchain_core::explore::Strategy`] | [`SiteExtensions`](mission::explore::SiteExtensions) |
 //! | what is flown, and when is it over | [`mission::Mission`] | a line in a [`registry::Registry`] |
 //! | who watches the frames | [`record::Recorder`] | an argument of [`run::run`] |
+//! | where do the bytes of a recording go | `record::Sink` | an argument of a recorder |
 //!
 //! # Modules
 //!
@@ -46,7 +48,7 @@
 //! | [`clock`], [`seed`] | ticks of 0.05 s; one seed, and an independent stream of random numbers for every use of chance |
 //! | [`map`] | walls, what is inside rock, distances along the tunnel; map files |
 //! | [`world`] | bodies, how they move, what they touch: the only one that moves anything |
-//! | [`sense`], [`mod@radio`] | what robots measure and hear |
+//! | [`sense`], [`radio`] | what robots measure and hear |
 //! | [`config`], [`scene`] | scenarios: keys, presets, mistakes, help; laid out in their map |
 //! | [`record`] | frames and who watches them; MCAP recordings |
 //! | [`analyse`] | digest, optimum of a chain, statistics, verdicts |

@@ -28,7 +28,7 @@ pub(super) fn print_what_they_say(house: &House) -> Result<Outcome> {
 
 /// What a stranger has to be able to do with the public items of the libraries: fly, and answer each question in his own
 /// way.
-const STRANGERS: [&str; 4] = ["fly", "own_law", "own_strategy", "own_mission"];
+const STRANGERS: [&str; 5] = ["fly", "own_law", "own_radio", "own_strategy", "own_mission"];
 
 pub(super) fn build_elsewhere(house: &House) -> Result<Outcome> {
     // All of that workspace, as in the step `libm`: same features, so that nothing compiles a second time.
