@@ -32,6 +32,7 @@ pub(crate) const COORDINATE_MAX_M: f64 = 100_000.0;
 
 /// A kind of maps: a row of [`FORMATS`].
 #[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
 pub struct Format {
     /// Its table in a scenario: `map.ros`.
     pub table: &'static str,
@@ -102,6 +103,7 @@ macro_rules! formats {
         #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
         #[serde(rename_all = "kebab-case", deny_unknown_fields)]
         #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+        #[non_exhaustive]
         pub enum MapConfig {
             $($(#[$meta])* $Name($Config),)*
         }
