@@ -13,11 +13,11 @@
 //! --set ring.radios_m=1: unknown key 'ring.radios_m'; did you mean 'radius_m'? (known: robots, radius_m, speed_mps)
 //! ```
 
-use std::{error::Error, f32::consts::TAU, sync::Arc};
+use std::{convert::Infallible, error::Error, f32::consts::TAU, sync::Arc};
 
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
-use uchain_core::params::Key;
+use uchain_core::params::{Key, OutOfRange};
 use uchain_libm as _; // the same bits on every system
 use uchain_sim::{
     analyse::{Outcome, Verdict},
@@ -207,6 +207,8 @@ impl Mission for Ring {
     type Scene = RingScene;
     type Observation = Seen;
     type Command = Waypoint;
+    /// Nobody steers.
+    type Input = Infallible;
     type Frame = RingFrame;
     type Metrics = RingMetrics;
     type Summary = RingSummary;
@@ -226,6 +228,14 @@ impl Mission for Ring {
 
     fn scene(&self) -> &Arc<RingScene> {
         &self.scene
+    }
+
+    fn steer(&mut self, input: Infallible) -> Result<(), OutOfRange> {
+        match input {}
+    }
+
+    fn input_of(_: &RingFrame) -> Option<Infallible> {
+        None
     }
 
     fn sense(&mut self) -> &[Seen] {

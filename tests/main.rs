@@ -18,6 +18,8 @@ mod halves;
 mod messages;
 /// The papers' figures and tables are what the report says.
 mod paper;
+/// A flight by hand is a scenario.
+mod pilot;
 /// What is recorded can be read again, and what is damaged cannot.
 mod record;
 /// A mission that is flown again in the memory it has flies as a new one.

@@ -7,9 +7,10 @@ mod scene;
 mod shown;
 mod topics;
 
-use std::{f32::consts::TAU, sync::Arc};
+use std::{convert::Infallible, f32::consts::TAU, sync::Arc};
 
 use glam::Vec2;
+use uchain_core::params::OutOfRange;
 use uchain_sim::{
     clock::total_ticks,
     config::Source,
@@ -66,6 +67,7 @@ impl Mission for Ring {
     type Scene = RingScene;
     type Observation = Seen;
     type Command = Waypoint;
+    type Input = Infallible;
     type Frame = RingFrame;
     type Metrics = RingMetrics;
     type Summary = RingSummary;
@@ -86,6 +88,14 @@ impl Mission for Ring {
 
     fn scene(&self) -> &Arc<RingScene> {
         &self.scene
+    }
+
+    fn steer(&mut self, input: Infallible) -> Result<(), OutOfRange> {
+        match input {}
+    }
+
+    fn input_of(_: &RingFrame) -> Option<Infallible> {
+        None
     }
 
     fn sense(&mut self) -> &[Seen] {

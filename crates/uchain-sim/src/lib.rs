@@ -35,6 +35,7 @@
 //! | what does a link lose between two places | [`radio::RadioModel`] | both of them |
 //! | where does an explorer fly next | [`uchain_core::explore::Strategy`] | [`SiteExtensions`](mission::explore::SiteExtensions) |
 //! | what is flown, and when is it over | [`mission::Mission`] | a line in a [`registry::Registry`] |
+//! | who steers the head | [`pilot::Pilot`] | an argument of [`run::run_with`] |
 //! | who watches the frames | [`record::Recorder`] | an argument of [`run::run`] |
 //! | where do the bytes of a recording go | `record::Sink` | an argument of a recorder |
 //!
@@ -47,6 +48,7 @@
 //! |---|---|
 //! | [`clock`], [`seed`] | ticks of 0.05 s; one seed, and an independent stream of random numbers for every use of chance |
 //! | [`map`] | walls, what is inside rock, distances along the tunnel; map files |
+//! | [`pilot`] | who steers: a script, another thread, a function, nobody |
 //! | [`world`] | bodies, how they move, what they touch: the only one that moves anything |
 //! | [`sense`], [`radio`] | what robots measure and hear |
 //! | [`config`], [`scene`] | scenarios: keys, presets, mistakes, help; laid out in their map |
@@ -103,6 +105,7 @@ pub mod draw;
 pub mod map;
 pub mod mathematics;
 pub mod mission;
+pub mod pilot;
 pub mod radio;
 pub mod record;
 pub mod registry;

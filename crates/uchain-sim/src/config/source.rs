@@ -8,8 +8,8 @@ use std::{
 use super::{ConfigError, check::NAME_LENGTH_MAX, diagnose::Choices};
 use crate::map::kind_of_map;
 
-/// Longest scenario file (bytes).
-pub const TEXT_MAX_BYTES: u64 = 1 << 20;
+/// Longest scenario file (bytes): one of a flight by hand with as many inputs as there may be takes half of it.
+pub const TEXT_MAX_BYTES: u64 = 1 << 24;
 
 /// The compiled-in scenarios; the one list of them.
 const BUILTIN: [(&str, &str); 11] = [

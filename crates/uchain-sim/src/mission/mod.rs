@@ -21,6 +21,7 @@ use std::io::Write;
 use std::{fmt::Debug, sync::Arc};
 
 use serde::Serialize;
+use uchain_core::params::OutOfRange;
 
 use crate::{
     analyse::Verdict,
@@ -67,6 +68,8 @@ pub trait Mission: Sized + Debug + Send + 'static {
     type Observation: Debug;
     /// What a robot is to do.
     type Command: Debug + Clone;
+    /// What a pilot may ask for; [`Infallible`](std::convert::Infallible) where there is none.
+    type Input: Debug + Clone + PartialEq + Send;
     /// What an instant leaves behind.
     type Frame: Snapshot;
     /// Sums a run up.
@@ -82,6 +85,17 @@ pub trait Mission: Sized + Debug + Send + 'static {
 
     /// What it is flown in.
     fn scene(&self) -> &Arc<Self::Scene>;
+
+    /// What its pilot asks for from the next tick on that has not been sensed yet, until he asks for something else: see
+    /// [`pilot`](crate::pilot). The scenario's own script is over with the first input.
+    ///
+    /// # Errors
+    /// An input that no script may ask for is refused, and all stays as it was.
+    fn steer(&mut self, input: Self::Input) -> Result<(), OutOfRange>;
+
+    /// What the pilot asked for anew at the start of a frame's tick, by [`Mission::steer`]; what a script asks for is nothing
+    /// new. Who flies a recording again steers by it.
+    fn input_of(frame: &Self::Frame) -> Option<Self::Input>;
 
     /// The first half of a tick: what every robot may know at this instant, in their order.
     fn sense(&mut self) -> &[Self::Observation];

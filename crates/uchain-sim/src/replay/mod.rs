@@ -6,6 +6,8 @@ mod tests;
 
 use std::io::Read;
 
+use uchain_core::params::OutOfRange;
+
 use crate::{
     mission::{Mission, Recorded, Scene},
     record::{
@@ -38,7 +40,7 @@ impl Verdict {
     }
 }
 
-/// Flies a recording again, up to the first tick that differs in a bit. What was not recorded is flown all the same, to
+/// Flies a recording again, by the inputs of its pilot if it was flown by hand, up to the first tick that differs in a bit. What was not recorded is flown all the same, to
 /// say how many ticks there are.
 ///
 /// # Errors
@@ -68,6 +70,10 @@ pub fn verify<R: Read, S: Scene<Mission: Recorded>>(
         if over {
             let why = format!("it goes on after the {ticks} ticks of its scenario");
             return Err(ReadError::Frame { tick: ticks, why });
+        }
+        if let Some(input) = S::Mission::input_of(&recorded) {
+            let refused = |why: OutOfRange| ReadError::Frame { tick: ticks, why: why.to_string() };
+            mission.steer(input).map_err(refused)?;
         }
         // Nobody is there to say no.
         over = !matches!(mission.step(&mut ()), Ok(None));

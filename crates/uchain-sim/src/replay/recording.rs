@@ -11,12 +11,13 @@ use crate::{
     analyse::Digest,
     config::Source,
     map::Map,
-    mission::{Metrics as _, Recorded, Scene},
+    mission::{Metrics as _, Mission as _, Recorded, Scene},
+    pilot::{Asked, INPUTS_MAX},
     record::{
-        Recorder,
+        Recorder, Snapshot as _,
         mcap::{About, Frames, Opened, PlayError, ReadError},
     },
-    run::{FrameOf, MetricsOf, SummaryOf},
+    run::{FrameOf, InputOf, MetricsOf, SummaryOf},
 };
 
 /// A recording of what is flown in scenes of this kind, read from front to back. Memory: one record of the file, mostly a
@@ -84,6 +85,24 @@ impl<R: Read, S: Scene<Mission: Recorded>> Recording<R, S> {
         let scene = S::read_in(&self.source, map, self.extensions).map_err(Box::new)?;
         self.frames.expect_crew(scene.crew());
         Ok(scene)
+    }
+
+    /// Reads what is left of the run, and gives what its pilot asked for; nothing if the scenario's script was flown.
+    ///
+    /// # Errors
+    /// [`ReadError`]; more inputs than [`INPUTS_MAX`].
+    pub fn inputs(&mut self) -> Result<Vec<Asked<InputOf<S>>>, ReadError> {
+        let (mut frame, mut inputs) = (FrameOf::<S>::default(), Vec::new());
+        while self.frames.read(&mut frame)? {
+            let Some(input) = S::Mission::input_of(&frame) else { continue };
+            let tick = frame.tick().saturating_sub(1);
+            if inputs.len() == INPUTS_MAX {
+                let why = format!("one input of the pilot more than {INPUTS_MAX}: expected at most these");
+                return Err(ReadError::Frame { tick, why });
+            }
+            inputs.push(Asked { tick, input });
+        }
+        Ok(inputs)
     }
 
     /// Plays what is left of the run and sums it up; the scene is its own. Of a whole run that is the summary the run

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use proptest::prelude::*;
 
-use super::{ConfigError, Source, builtin, builtin_names};
+use super::{ConfigError, Source, TEXT_MAX_BYTES, builtin, builtin_names};
 use crate::{
     mission::chain::{Course, Scenario},
     registry::{About, Registry},
@@ -89,7 +89,7 @@ fn a_scenario_changed_in_code_is_checked_when_it_is_laid_out() {
 fn what_is_not_a_scenario_file_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("big.toml");
-    std::fs::write(&path, vec![b'#'; (1 << 20) + 1]).unwrap();
+    std::fs::write(&path, vec![b'#'; TEXT_MAX_BYTES as usize + 1]).unwrap();
     assert!(matches!(Source::read(&path), Err(ConfigError::TooLong { .. })));
     std::fs::write(&path, [b'a', 0xff]).unwrap();
     assert!(matches!(Source::read(&path), Err(ConfigError::NotText { byte: 1, .. })));

@@ -1,10 +1,8 @@
-//! The brains of a chain, the links between them, and the pilot of the head.
+//! The brains of a chain, and the links between them.
 
 use std::sync::Arc;
 
-use uchain_core::chain::{
-    BASE_ID, Command, End, Explanation, Heard, LinkEnd, Observation, Packet, PilotInput,
-};
+use uchain_core::chain::{BASE_ID, Command, End, Explanation, Heard, LinkEnd, Observation, Packet};
 
 use crate::{
     clock::time_s,
@@ -77,15 +75,6 @@ impl<B: Law> Brains<B> {
         self.base = LinkEnd::new(End::Rear);
         self.said.clear();
         self.links.clear();
-    }
-
-    /// What the pilot asks of the head at this time.
-    pub(super) fn pilot_at(&self, time_s: f64) -> PilotInput {
-        let now = self.course.scenario.pilot.iter().take_while(|step| step.start_s <= time_s).last();
-        now.map_or_else(PilotInput::default, |step| PilotInput {
-            speed_mps: step.speed_mps,
-            follow: step.follow,
-        })
     }
 
     /// Whether a UAV has failed by now.

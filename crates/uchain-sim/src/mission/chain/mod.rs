@@ -11,17 +11,21 @@ mod members;
 mod metrics;
 #[cfg(feature = "draw")]
 mod picture;
+mod pilot;
 mod scene;
 mod shown;
 
 use std::sync::Arc;
 
 use glam::Vec2;
-use uchain_core::chain::{Command, Explanation, Observation};
+use uchain_core::{
+    chain::{Command, Explanation, Observation, PilotInput},
+    params::OutOfRange,
+};
 
 use super::{Mission, Stopped};
 use crate::{
-    clock::{period_ticks, time_s, total_ticks},
+    clock::{period_ticks, total_ticks},
     map::Trail,
     record::{RecordError, Recorder},
     seed::{Seed, Source},
@@ -41,6 +45,7 @@ pub use members::{Member, MemberError, Members};
 pub use metrics::{LinkSummary, Metrics, Summary, Timeline};
 #[cfg(feature = "draw")]
 pub use picture::{plan_png, run_picture, run_png};
+use pilot::Steering;
 pub use scene::plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan};
 pub use scene::{Course, CourseOptimum, Spawn};
 pub use shown::{Moments, ThinnedHistory};
@@ -54,6 +59,7 @@ pub struct ChainOf<B, R = GridRays> {
     course: Arc<Course>,
     world: World,
     brains: Brains<B>,
+    steering: Steering,
     senses: Senses<R>,
     trail: Trail,
     decision_ticks: u64,
@@ -100,6 +106,7 @@ impl<B: Law> Mission for ChainOf<B> {
     type Scene = Course;
     type Observation = Observation;
     type Command = Command;
+    type Input = PilotInput;
     type Frame = Frame;
     type Metrics = Metrics;
     type Summary = Summary;
@@ -124,6 +131,14 @@ impl<B: Law> Mission for ChainOf<B> {
 
     fn scene(&self) -> &Arc<Course> {
         &self.course
+    }
+
+    fn steer(&mut self, input: PilotInput) -> Result<(), OutOfRange> {
+        self.steering.steer(input)
+    }
+
+    fn input_of(frame: &Frame) -> Option<PilotInput> {
+        frame.input
     }
 
     fn sense(&mut self) -> &[Observation] {
@@ -173,6 +188,7 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
         let mut chain = Self {
             world,
             brains: Brains::new(course.clone(), Seed(seed)),
+            steering: Steering::default(),
             senses,
             trail: Trail::default(),
             decision_ticks: period_ticks(scenario.equalize.decision_s),
@@ -196,6 +212,7 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
     /// Everything but the world as it was before the first tick.
     fn restart(&mut self, seed: u64) {
         self.brains.reset(Seed(seed));
+        self.steering = Steering::default();
         self.senses.reset(&self.course, Seed(seed));
         self.trail = Trail::default();
         (self.tick, self.has_sensed) = (0, false);
@@ -272,7 +289,7 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
         }
         let decision = self.is_decision();
         self.brains.fail(self.tick, &mut self.world);
-        let pilot = self.brains.pilot_at(time_s(self.tick));
+        let pilot = self.steering.look(&self.course.scenario.pilot, self.tick);
         let leader = self.brains.members.leader();
         let ranging = self.tick.is_multiple_of(self.senses.tof_ticks);
         for (i, body) in self.world.bodies().iter().enumerate() {
@@ -313,6 +330,7 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
         let frame = &mut self.frame;
         frame.tick = self.tick;
         frame.decision = decision;
+        frame.input = self.steering.anew();
         frame.uavs.clear();
         frame.uavs.extend(self.world.bodies().iter().zip(&self.seen).map(|(body, seen)| UavFrame {
             x_m: body.at.x,

@@ -17,10 +17,13 @@ mod shown;
 mod start;
 mod team;
 
-use std::sync::Arc;
+use std::{convert::Infallible, sync::Arc};
 
 use glam::Vec2;
-use uchain_core::explore::{Command, Point, Pose};
+use uchain_core::{
+    explore::{Command, Point, Pose},
+    params::OutOfRange,
+};
 
 use super::{Mission, Stopped};
 
@@ -98,6 +101,7 @@ impl Mission for Exploration {
     type Scene = Site;
     type Observation = Observation;
     type Command = Command;
+    type Input = Infallible;
     type Frame = ExploreFrame;
     type Metrics = ExploreMetrics;
     type Summary = ExploreSummary;
@@ -137,6 +141,14 @@ impl Mission for Exploration {
 
     fn scene(&self) -> &Arc<Site> {
         &self.site
+    }
+
+    fn steer(&mut self, input: Infallible) -> Result<(), OutOfRange> {
+        match input {}
+    }
+
+    fn input_of(_: &ExploreFrame) -> Option<Infallible> {
+        None
     }
 
     fn sense(&mut self) -> &[Observation] {

@@ -19,7 +19,7 @@ const FORMAT: &str = "1";
 /// This version.
 pub(crate) const OURS: &str = env!("CARGO_PKG_VERSION");
 /// Longest scenario with every value written out (bytes).
-const TEXT_MAX_BYTES: usize = 1 << 23;
+const TEXT_MAX_BYTES: usize = 1 << 24;
 
 /// What a recording is of.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,6 +2,17 @@
 
 use crate::record::Snapshot;
 
+/// One of our own messages, and what describes it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Described {
+    /// Its name.
+    pub message: &'static str,
+    /// Name of the file that describes it: one that no other description of the recording has.
+    pub file: &'static str,
+    /// That file, in the language of protobuf, package `uchain`.
+    pub proto: &'static str,
+}
+
 /// A frame that can be recorded: a message of its own at every tick.
 pub trait Recordable: Snapshot {
     /// What is in the file. It stands for one frame after the other, so that its lists are allocated once.
@@ -18,6 +29,24 @@ pub trait Recordable: Snapshot {
 
     /// Fills a message with its values.
     fn fill(&self, message: &mut Self::Message);
+
+    /// What the inputs of a pilot are recorded as, where there is one: a message before the frame of the first tick that an
+    /// input was flown in. A flight without inputs has no trace of them.
+    const INPUT: Option<Described> = None;
+
+    /// What the pilot asked for anew at the start of the frame's tick, if he did, as the message that
+    /// [`Recordable::INPUT`] describes.
+    fn input(&self) -> Option<impl prost::Message> {
+        None::<()>
+    }
+
+    /// Takes an input from its message, or takes none. [`Recordable::take`] leaves it as it is.
+    ///
+    /// # Errors
+    /// In words: what no pilot may ask for.
+    fn take_input(&mut self, _message: Option<&[u8]>) -> Result<(), String> {
+        Ok(())
+    }
 }
 
 /// Most contacts of one body: two a tick, all day long. Those of all bodies can be added up.

@@ -9,6 +9,7 @@
 //! | attachment `walls.csv` | the walls, corner by corner |
 //! | `/frame` | `Frame`, every bit, 20 per simulated second; `uchain.proto` |
 //! | `/metrics` | `Moment`, one per decision; `uchain.proto` |
+//! | `/pilot` | `PilotInput`, in a flight by hand whenever it changes; `pilot.proto` |
 //! | `/tf` | `foxglove.FrameTransforms`: `scenario` → `map` → `uav_0`, `uav_1`, … |
 //! | `/poses` | `foxglove.PosesInFrame`, all UAVs |
 //! | `/tof/uav_0`, … | `foxglove.LaserScan`, the four beams |
@@ -42,7 +43,7 @@ mod schema;
 mod writer;
 
 pub use about::About;
-pub use message::{Recordable, alike, bounded, few, number, set, small, word};
+pub use message::{Described, Recordable, alike, bounded, few, number, set, small, word};
 pub use out::Out;
 pub use read::{End, Frames, Opened, PlayError, ReadError};
 pub use recorder::{McapRecorder, MessageRecorder, Topics};
@@ -52,6 +53,9 @@ pub use crate::record::Channel;
 
 /// Topic of the frames.
 pub const FRAME_TOPIC: &str = "/frame";
+
+/// Topic of what a pilot asked for.
+pub const PILOT_TOPIC: &str = "/pilot";
 
 /// Foxglove's messages come at every second tick: 10 per simulated second.
 pub const SHOWN_TICKS: u64 = 2;

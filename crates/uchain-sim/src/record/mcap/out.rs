@@ -9,6 +9,7 @@ use crate::{
     record::{
         Channel, RecordError, Schema, Sink,
         mcap::{
+            Described,
             about::{self, About},
             schema,
         },
@@ -24,7 +25,7 @@ pub(super) struct Encoding {
 impl Encoding {
     /// For messages of our own that `proto` describes.
     pub(super) fn of(proto: &str) -> Self {
-        Self { buffer: Vec::new(), own_schemas: schema::descriptors(proto) }
+        Self { buffer: Vec::new(), own_schemas: schema::descriptors(schema::FILE, proto) }
     }
 }
 
@@ -64,6 +65,16 @@ impl<'s> Out<'s> {
         let name = format!("{}.{message}", schema::PACKAGE);
         let schema = Schema { name: &name, encoding: "protobuf", data: &self.encoding.own_schemas };
         self.sink.channel(topic, Some(schema))
+    }
+
+    /// A channel of one of our own messages that brings a description of its own.
+    ///
+    /// # Errors
+    /// [`RecordError::Io`].
+    pub fn described_channel(&mut self, topic: &str, described: &Described) -> Result<Channel, RecordError> {
+        let name = format!("{}.{}", schema::PACKAGE, described.message);
+        let data = schema::descriptors(described.file, described.proto);
+        self.sink.channel(topic, Some(Schema { name: &name, encoding: "protobuf", data: &data }))
     }
 
     /// Says a message, at the end of a tick.

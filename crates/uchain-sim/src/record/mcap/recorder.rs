@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use super::{About, FRAME_TOPIC, McapWriter, Out, Recordable, out::Encoding};
+use super::{About, FRAME_TOPIC, McapWriter, Out, PILOT_TOPIC, Recordable, out::Encoding};
 use crate::{
     map::Map,
     record::{Channel, RecordError, Recorder, Sink, Snapshot as _},
@@ -42,6 +42,8 @@ pub struct MessageRecorder<S, T: Topics> {
     sink: S,
     encoding: Encoding,
     channel: Channel,
+    /// Where the pilot's inputs go, once there has been one.
+    pilot: Option<Channel>,
     message: <T::Frame as Recordable>::Message,
     topics: T,
 }
@@ -84,7 +86,8 @@ impl<S: Sink, T: Topics> MessageRecorder<S, T> {
         let channel = out.own_channel(FRAME_TOPIC, T::Frame::MESSAGE)?;
         let topics = T::start(scene, &mut out)?;
         sink.flush()?;
-        Ok(Self { sink, encoding, channel, message: <T::Frame as Recordable>::Message::default(), topics })
+        let message = <T::Frame as Recordable>::Message::default();
+        Ok(Self { sink, encoding, channel, pilot: None, message, topics })
     }
 
     /// Hands the sink back, as it is by now.
@@ -115,8 +118,15 @@ impl<W: Write, T: Topics> McapRecorder<W, T> {
 
 impl<S: Sink, T: Topics> Recorder<T::Frame> for MessageRecorder<S, T> {
     fn frame(&mut self, frame: &T::Frame) -> Result<(), RecordError> {
-        let Self { sink, encoding, channel, message, topics } = self;
+        let Self { sink, encoding, channel, pilot, message, topics } = self;
         let mut out = Out::new(sink, encoding);
+        if let (Some(described), Some(input)) = (T::Frame::INPUT, frame.input()) {
+            let channel = match *pilot {
+                Some(channel) => channel,
+                None => *pilot.insert(out.described_channel(PILOT_TOPIC, &described)?),
+            };
+            out.send(channel, frame.tick().saturating_sub(1), &input)?;
+        }
         topics.sensed(frame, &mut out)?;
         frame.fill(message);
         out.send(*channel, frame.tick(), message)?;

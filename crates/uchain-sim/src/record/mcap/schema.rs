@@ -9,9 +9,12 @@ use prost_types::{
 /// The package, as it stands before every message's name.
 pub(super) const PACKAGE: &str = "uchain";
 
+/// The file of a mission's frames and metrics.
+pub(super) const FILE: &str = "uchain.proto";
+
 /// A serialized `FileDescriptorSet` of all messages of a file in the language of protobuf, of which it knows as much as
 /// our messages need: messages of numbers and lists of them, a field a line.
-pub(super) fn descriptors(proto: &str) -> Vec<u8> {
+pub(super) fn descriptors(file: &str, proto: &str) -> Vec<u8> {
     let mut messages: Vec<DescriptorProto> = Vec::new();
     for line in proto.lines() {
         let line = line.split("//").next().unwrap_or_default();
@@ -30,7 +33,7 @@ pub(super) fn descriptors(proto: &str) -> Vec<u8> {
         }
     }
     let file = FileDescriptorProto {
-        name: Some("uchain.proto".to_owned()),
+        name: Some(file.to_owned()),
         package: Some(PACKAGE.to_owned()),
         syntax: Some("proto3".to_owned()),
         message_type: messages,
@@ -65,7 +68,7 @@ mod tests {
 
     #[test]
     fn every_field_of_the_proto_file_is_in_the_schema() {
-        let set = FileDescriptorSet::decode(descriptors(PROTO).as_slice()).unwrap();
+        let set = FileDescriptorSet::decode(descriptors(FILE, PROTO).as_slice()).unwrap();
         let counts: Vec<(&str, usize)> =
             set.file[0].message_type.iter().map(|message| (message.name(), message.field.len())).collect();
         assert_eq!(counts, [("Frame", 20), ("Metrics", 7), ("ExploreFrame", 29), ("ExploreMetrics", 8)]);

@@ -3,13 +3,13 @@
 use uchain_core::chain::{LinkParams, TakeoffParams};
 
 use super::Scenario;
-use crate::config::{Check, ConfigError, DURATION_MAX_S, Document};
+use crate::{
+    config::{Check, ConfigError, DURATION_MAX_S, Document},
+    pilot::INPUTS_MAX,
+};
 
 /// Most UAVs in one chain.
 pub const UAVS_MAX: usize = 1000;
-
-/// Most steps a pilot may take.
-const PILOT_MAX: usize = 10_000;
 
 /// Most entries of each list of planned faults.
 const FAULTS_MAX: usize = 10_000;
@@ -95,8 +95,9 @@ fn chain(check: &Check<'_>, scenario: &Scenario) -> Result<(), ConfigError> {
 
 fn pilot(check: &Check<'_>, scenario: &Scenario) -> Result<(), ConfigError> {
     let pilot = &scenario.pilot;
-    if pilot.len() > PILOT_MAX {
-        let expected = format!("must be at most {PILOT_MAX} steps");
+    // A flight by hand is a scenario.
+    if pilot.len() > INPUTS_MAX {
+        let expected = format!("must be at most {INPUTS_MAX} steps");
         return Err(check.invalid("pilot", &format!("{} steps", pilot.len()), expected));
     }
     let mut before_s = None;

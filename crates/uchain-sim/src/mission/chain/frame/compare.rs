@@ -1,5 +1,7 @@
 //! Frames of a chain, field by field.
 
+use uchain_core::chain::PilotInput;
+
 use super::{Frame, HeadFrame, LinkFrame, Silence, UavFrame};
 use crate::record::{Difference, FieldDiff, Value, Whose};
 
@@ -12,6 +14,10 @@ pub(crate) fn differences(frame: &Frame, there: &Frame, found: &mut dyn FnMut(Di
     // What one of the two did not write cannot be compared.
     if let (Some(a), Some(b)) = (&frame.head, &there.head) {
         look.at(Whose::Frame, head(a), head(b));
+    }
+    // A flight by hand and one by the script that came of it are the same.
+    if let (Some(a), Some(b)) = (frame.input, there.input) {
+        look.at(Whose::Frame, input(a), input(b));
     }
     for (i, (a, b)) in frame.uavs.iter().zip(&there.uavs).enumerate() {
         look.at(Whose::One("UAV", i as u64), uav(a), uav(b));
@@ -44,6 +50,10 @@ fn head(head: &HeadFrame) -> [(&'static str, Value); 3] {
         ("allowed_mps", Value::Number(head.allowed_mps)),
         ("asked_mps", Value::Number(head.asked_mps)),
     ]
+}
+
+fn input(input: PilotInput) -> [(&'static str, Value); 2] {
+    [("input.speed_mps", Value::Number(input.speed_mps)), ("input.follow", Value::Count(input.follow as u64))]
 }
 
 fn silence(silence: Silence) -> [(&'static str, Value); 2] {

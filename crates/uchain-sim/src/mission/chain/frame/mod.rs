@@ -3,7 +3,7 @@
 mod compare;
 mod moment;
 
-use uchain_core::chain::Tof;
+use uchain_core::chain::{PilotInput, Tof};
 
 use crate::{
     clock,
@@ -103,6 +103,9 @@ pub struct Frame {
     /// What became of the pilot's wish; `None` while the head cannot fly freely, and in recordings of versions that did not
     /// write it.
     pub head: Option<HeadFrame>,
+    /// What the pilot asked for anew at the start of the tick, in a flight by hand; what a script asks for is nothing new.
+    /// Not part of the digest: it shows in what the head does.
+    pub input: Option<PilotInput>,
 }
 
 impl Frame {

@@ -1,8 +1,10 @@
 //! Messages of a chain.
 
-use uchain_core::chain::Tof;
+use prost::Message as _;
+use uchain_core::chain::{PilotInput, Tof};
 
-use crate::record::mcap::{Recordable, alike, bounded, few, set};
+use super::input::{INPUT, InputMessage};
+use crate::record::mcap::{Described, Recordable, alike, bounded, few, set};
 use crate::{
     map::FARTHEST_M,
     mission::chain::{Frame, HeadFrame, LinkFrame, Moment, Silence, UAVS_MAX, UavFrame},
@@ -89,7 +91,8 @@ impl From<Moment> for MetricsMessage {
 impl FrameMessage {
     /// Takes a frame's values.
     fn fill(&mut self, frame: &Frame) {
-        let Frame { tick, decision, uavs, leader, links, head_reach_m, head } = frame;
+        // The pilot's input is a message of its own.
+        let Frame { tick, decision, uavs, leader, links, head_reach_m, head, input: _ } = frame;
         (self.tick, self.decision, self.head_reach_m) = (*tick, *decision, *head_reach_m);
         self.leader = *leader as u32;
         set(&mut self.x_m, uavs.iter().map(|uav| uav.x_m));
@@ -258,6 +261,7 @@ impl Recordable for Frame {
     type Message = FrameMessage;
     const PROTO: &'static str = crate::mission::PROTO;
     const MESSAGE: &'static str = "Frame";
+    const INPUT: Option<Described> = Some(INPUT);
 
     fn take(&mut self, message: &FrameMessage) -> Result<(), String> {
         message.pour(self)
@@ -265,5 +269,20 @@ impl Recordable for Frame {
 
     fn fill(&self, message: &mut FrameMessage) {
         message.fill(self);
+    }
+
+    fn input(&self) -> Option<impl prost::Message> {
+        self.input.map(InputMessage::from)
+    }
+
+    fn take_input(&mut self, message: Option<&[u8]>) -> Result<(), String> {
+        self.input = match message {
+            Some(bytes) => {
+                let message = InputMessage::decode(bytes).map_err(|error| error.to_string())?;
+                Some(PilotInput::try_from(message)?)
+            }
+            None => None,
+        };
+        Ok(())
     }
 }

@@ -1,6 +1,7 @@
 //! Recordings of a chain.
 
 mod events;
+mod input;
 mod message;
 mod poses;
 mod scans;

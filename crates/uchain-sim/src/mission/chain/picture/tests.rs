@@ -44,6 +44,7 @@ fn flight(course: &Course, seconds: u64) -> (History, Summary) {
             links: (0..flying).map(link).collect(),
             head_reach_m: reach_m,
             head: None,
+            input: None,
         }
     });
     let history = History { frames: frames.collect() };

@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     clock::TICK_NS,
-    record::mcap::{FRAME_TOPIC, Recordable, schema},
+    record::mcap::{FRAME_TOPIC, PILOT_TOPIC, Recordable, schema},
 };
 
 /// The frames of a recording, in order.
@@ -19,6 +19,9 @@ pub struct Frames<R, F: Recordable> {
     /// Schema and channel of the frames, once they have been declared.
     schema: Option<u16>,
     channel: Option<u16>,
+    /// Those of the pilot's inputs.
+    input_schema: Option<u16>,
+    input_channel: Option<u16>,
     message: F::Message,
     crew: Option<usize>,
     tick: u64,
@@ -51,7 +54,17 @@ impl<R, F: Recordable> Frames<R, F> {
 impl<R: Read, F: Recordable> Frames<R, F> {
     pub(super) fn new(records: Records<R>) -> Self {
         let message = F::Message::default();
-        Self { records, schema: None, channel: None, message, crew: None, tick: 0, end: None }
+        Self {
+            records,
+            schema: None,
+            channel: None,
+            input_schema: None,
+            input_channel: None,
+            message,
+            crew: None,
+            tick: 0,
+            end: None,
+        }
     }
 
     /// Reads the next frame into `frame`; `false` at the end, and after an error.
@@ -70,6 +83,10 @@ impl<R: Read, F: Recordable> Frames<R, F> {
     }
 
     fn next(&mut self, frame: &mut F) -> Result<bool, ReadError> {
+        let tick = self.tick;
+        let refuse = |why| ReadError::Frame { tick, why };
+        frame.take_input(None).map_err(refuse)?;
+        let mut has_input = false;
         loop {
             match self.records.next()? {
                 Item::Schema { id, name } => {
@@ -77,24 +94,34 @@ impl<R: Read, F: Recordable> Frames<R, F> {
                     if own == Some(F::MESSAGE) {
                         self.schema = Some(id);
                     }
+                    if own.is_some() && own == F::INPUT.map(|input| input.message) {
+                        self.input_schema = Some(id);
+                    }
                 }
                 Item::Channel { id, schema, topic } => {
                     if topic == FRAME_TOPIC && self.schema == Some(schema) {
                         self.channel = Some(id);
                     }
+                    if topic == PILOT_TOPIC && self.input_schema == Some(schema) {
+                        self.input_channel = Some(id);
+                    }
                 }
                 Item::Message { channel, time_ns, data } => {
+                    if self.input_channel == Some(channel) {
+                        input_in_time(time_ns, tick, has_input).map_err(refuse)?;
+                        frame.take_input(Some(data)).map_err(refuse)?;
+                        has_input = true;
+                    }
                     if self.channel != Some(channel) {
                         continue;
                     }
-                    let refuse = |why| ReadError::Frame { tick: self.tick, why };
                     self.message.clear();
                     self.message.merge(data).map_err(|error| refuse(error.to_string()))?;
                     frame.take(&self.message).map_err(refuse)?;
                     let found = (frame.tick(), frame.crew());
                     let next = (self.tick + 1, *self.crew.get_or_insert(found.1));
                     let checked = check(found, time_ns, next, F::CREW);
-                    checked.map_err(|why| ReadError::Frame { tick: self.tick, why })?;
+                    checked.map_err(refuse)?;
                     self.tick = found.0;
                     return Ok(true);
                 }
@@ -109,6 +136,19 @@ impl<R: Read, F: Recordable> Frames<R, F> {
             }
         }
     }
+}
+
+/// A pilot asks for one thing, at the start of the tick after the last one.
+fn input_in_time(time_ns: u64, tick: u64, has_input: bool) -> Result<(), String> {
+    if has_input {
+        return Err("two inputs of the pilot: expected one".to_owned());
+    }
+    if Some(time_ns) != tick.checked_mul(TICK_NS) {
+        return Err(format!(
+            "log_time = {time_ns} of the pilot's input: expected {tick} ticks of {TICK_NS} ns"
+        ));
+    }
+    Ok(())
 }
 
 /// A frame is the next one, of as many UAVs or robots, at its time.
