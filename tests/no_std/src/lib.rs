@@ -13,8 +13,8 @@ use core::{fmt::Write as _, hint::black_box};
 
 use uchain_core::{
     chain::{
-        Brain as _, CenterParams, EqualizeParams, Heard, KalmanParams, Node, NodeParams, Observation, Packet, RadioSlot, Role,
-        ScalarKalman, TOF_RANGE_M, Tof, center, equalize,
+        Brain as _, CenterParams, EqualizeParams, Heard, KalmanParams, Node, NodeParams, Observation, Packet,
+        RadioSlot, Role, ScalarKalman, TOF_RANGE_M, Tof, center, equalize,
     },
     flight::{Attitude, FlightState, PdLaw, QuadrotorParams},
 };
@@ -32,7 +32,8 @@ pub extern "C" fn fly(decisions: u32, loss_db: f32, speed_mps: f32, distance_m: 
     let tof = Tof { nw_m: distance_m, ne_m: 1.0, sw_m: 1.0, se_m: distance_m };
     let mut sum = 0.0;
     for _ in 0..decisions {
-        let mut seen = Observation { tof: Some(tof), ground_speed_mps: Some(speed_mps), ..Observation::default() };
+        let mut seen =
+            Observation { tof: Some(tof), ground_speed_mps: Some(speed_mps), ..Observation::default() };
         let said = [head.say(&seen), relay.say(&seen), Packet::BASE];
         let mut radio = RadioSlot::default();
         for (from, packet) in said.into_iter().enumerate() {
