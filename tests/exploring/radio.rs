@@ -3,8 +3,14 @@
 use std::sync::Arc;
 
 use uchain_sim::{
-    mission::{Stopped, explore::Site},
-    radio::{Disc, PathLoss, RadioModel},
+    config::builtin,
+    mission::{
+        Scene as _, Stopped,
+        chain::Course,
+        explore::{Site, SiteExtensions},
+    },
+    radio::{Disc, PathLoss, RadioKind, RadioModel},
+    registry::{AnyMission, Of, Registry},
 };
 
 use super::{site, summary};
@@ -83,4 +89,30 @@ fn losses_that_leave_robots_to_themselves_are_noted_before_the_start() {
     assert!(notes(&["radio.sigma_db=1"]).contains("packets.drop_rate = 0.2: in 36 of 100 rounds two robots"));
     assert_eq!(notes(&SURE), plain);
     assert!(notes(&["radio.range_m=4"]).contains("the model \"path-loss\" has no range"));
+}
+
+/// A disc of two ranges.
+const WIDE: RadioKind = RadioKind::new("wide", "Twice as far as range_m.", |table, _| {
+    Ok(Arc::new(Disc { range_m: 2.0 * table.range_m.unwrap_or(1.5), loss_db: 50.0 }))
+});
+
+static MISSIONS: [&dyn AnyMission; 2] =
+    [&Of::<Course>::NEW, &Of::<Site>::with(SiteExtensions { radios: &[WIDE], ..Site::BUILTIN })];
+
+#[test]
+fn a_model_of_ones_own_has_a_word_in_explorations_alone() {
+    let registry = Registry::new(&MISSIONS);
+    let sets = ["radio.model=wide", "packets.drop_rate=0"].map(ToOwned::to_owned);
+    let wide = registry.read(&builtin("corridors").unwrap(), &sets).unwrap();
+    let wide = summary(wide.get::<Site>().unwrap(), 1).digest;
+    assert_eq!(wide, summary(&site("corridors", &["explore.range_m=3"]), 1).digest);
+    assert_ne!(wide, summary(&site("corridors", &["explore.range_m=2.25"]), 1).digest);
+    let chain = registry.read(&builtin("corner").unwrap(), &sets).unwrap_err().to_string();
+    assert!(chain.contains("radio.model = \"wide\": unknown choice"), "{chain}");
+    let words = |registry: Registry| {
+        let explained = registry.explain("radio.model").unwrap();
+        explained[0].choices.iter().map(|(word, _)| word.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(words(registry), ["path-loss", "disc", "wide"]);
+    assert_eq!(words(Registry::default()), ["path-loss", "disc"]);
 }

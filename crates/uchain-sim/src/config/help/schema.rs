@@ -9,7 +9,8 @@ use super::super::{Heading, Keys};
 
 /// JSON Schema (draft 7) of a scenario file, put together from those of the missions: a scenario is of the first mission
 /// whose marker it has, else of the one without a marker. Of a key that several have at the top, the first one's
-/// description counts, that of the mission without a marker before all others.
+/// description counts, that of the mission without a marker before all others; words that only another one knows are
+/// added to it.
 pub(crate) fn schema(missions: impl IntoIterator<Item = (&'static Keys, Value)>) -> Value {
     let (marked, unmarked): (Vec<_>, Vec<_>) =
         missions.into_iter().map(|(keys, schema)| (keys.marker, schema)).partition(|(it, _)| it.is_some());
@@ -19,7 +20,10 @@ pub(crate) fn schema(missions: impl IntoIterator<Item = (&'static Keys, Value)>)
 
     let mut properties = Map::new();
     for (name, key) in all().filter_map(|schema| schema["properties"].as_object()).flatten() {
-        properties.entry(name).or_insert_with(|| key.clone());
+        match properties.get_mut(name) {
+            Some(known) => add_words(known, key),
+            None => _ = properties.insert(name.clone(), key.clone()),
+        }
     }
     let everywhere: Vec<&str> = all().next().map_or_else(Vec::new, required);
     let everywhere: Vec<&str> =
@@ -61,6 +65,27 @@ pub(crate) fn schema(missions: impl IntoIterator<Item = (&'static Keys, Value)>)
     }
     tidy(&mut schema);
     schema
+}
+
+/// Adds the choices of a key, or of the keys of a table, that only another mission has.
+fn add_words(known: &mut Value, other: &Value) {
+    if let (Some(Value::Array(known)), Some(Value::Array(other))) =
+        (known.get_mut("oneOf"), other.get("oneOf"))
+    {
+        for word in other {
+            if !known.contains(word) {
+                known.push(word.clone());
+            }
+        }
+    }
+    let tables = (known.get_mut("properties"), other.get("properties"));
+    if let (Some(Value::Object(known)), Some(Value::Object(other))) = tables {
+        for (name, known) in known {
+            if let Some(other) = other.get(name) {
+                add_words(known, other);
+            }
+        }
+    }
 }
 
 /// Names of the keys that have to be written.
