@@ -346,7 +346,7 @@ impl Known {
         let key = word.split(['=', ' ', ':']).next()?.trim_matches(['[', ']']);
         let (table, rest) = key.split_once('.')?;
         let is_file =
-            ["yaml", "pgm", "png", "svg", "toml", "json", "mcap", "csv", "rs", "md"].contains(&rest);
+            ["yaml", "pgm", "png", "svg", "toml", "json", "mcap", "csv", "rs", "md", "proto"].contains(&rest);
         let is_name = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || "._".contains(c);
         (self.tables.contains(table) && !is_file && !rest.is_empty() && rest.chars().all(is_name))
             .then_some(key)
