@@ -1,9 +1,12 @@
 //! UAVs that join, leave, land and come back.
 
-use uchain_core::chain::{Command, Override};
-use uchain_sim::mission::{
-    Mission,
-    chain::{Chain, Member, MemberError},
+use uchain_core::chain::{Brain, Command, Node, Observation, Override, Packet, Role};
+use uchain_sim::{
+    mission::{
+        Mission,
+        chain::{Chain, Course, Frame, McapRecorder, Member, MemberError},
+    },
+    replay::Recording,
 };
 
 use crate::course;
@@ -104,4 +107,78 @@ fn the_charge_of_a_battery_is_sensed_and_told_to_the_neighbours() {
     assert_eq!(told(&mut chain), (None, None));
     chain.set_battery(1, Some(0.42));
     assert_eq!(told(&mut chain), (Some(0.42), Some(0.42)));
+}
+
+/// The built-in law, that is shown packets from so many places on either side.
+#[derive(Debug)]
+struct FarSighted(Node, u16);
+
+impl Brain for FarSighted {
+    fn decide(&mut self, seen: &Observation) -> Command {
+        self.0.decide(seen)
+    }
+
+    fn say(&self, seen: &Observation) -> Packet {
+        self.0.say(seen)
+    }
+
+    fn reach(&self) -> u16 {
+        self.1
+    }
+}
+
+#[test]
+fn whoever_wants_to_hears_farther_than_his_neighbours_and_they_hear_what_they_heard() {
+    let near = course("straight", &["packets.drop_rate=0"]);
+    let far = |reach| {
+        near.with_law("far", move |uav, params| {
+            let role = if uav == 0 { Role::Head } else { Role::Relay };
+            FarSighted(Node::new(role, params.clone()), reach)
+        })
+    };
+    let heard_at_the_end = |course| {
+        let mut chain = Chain::start(course, 1);
+        let mut heard = Vec::new();
+        for _ in 0..2000 {
+            let seen = chain.sense();
+            if let Some(radio) = &seen[1].radio {
+                heard = radio.heard().to_vec();
+            }
+            fly(&mut chain, 0.05, &[]);
+        }
+        let mut ids: Vec<u16> = heard.iter().map(|heard| heard.from).collect();
+        ids.sort_unstable();
+        let neighbours: Vec<_> = heard.into_iter().filter(|heard| [0, 2].contains(&heard.from)).collect();
+        (ids, neighbours, chain.frame().uavs.clone())
+    };
+    let (ids, neighbours, uavs) = heard_at_the_end(near.clone());
+    assert_eq!(ids, [0, 2]);
+    let (far_ids, far_neighbours, far_uavs) = heard_at_the_end(far(3));
+    assert_eq!(far_ids, [0, 2, 3, uchain_core::chain::BASE_ID], "straight has four UAVs");
+    // Noise of other pairs moves nobody's draws, and the built-in law heeds the nearest on each side only.
+    assert_eq!(far_neighbours, neighbours);
+    assert_eq!(far_uavs, uavs);
+}
+
+#[test]
+fn a_recording_tells_who_led_the_chain() {
+    let scene = course("straight", &["duration_s=1000"]);
+    let mut chain = Chain::start(scene.clone(), 1);
+    let mut recorder = McapRecorder::start(Vec::new(), &*scene, 1).unwrap();
+    let mut flown = Vec::new();
+    for tick in 0..800 {
+        if tick == 700 {
+            chain.leave(0).unwrap();
+        }
+        chain.step(&mut recorder).unwrap();
+        flown.push(chain.frame().clone());
+    }
+    assert_eq!((flown[699].leader, flown[700].leader), (0, 1));
+    let file = recorder.finish().unwrap();
+    let mut recording = Recording::<_, Course>::read(file.as_slice(), "memory").unwrap();
+    let mut frame = Frame::default();
+    for flown in &flown {
+        assert!(recording.frames.read(&mut frame).unwrap());
+        assert_eq!(&frame, flown);
+    }
 }

@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use uchain_core::chain::{BASE_ID, Command, End, Explanation, Heard, LinkEnd, Observation, Packet};
+use uchain_core::chain::{
+    BASE_ID, Command, End, Explanation, HEARD_MAX, Heard, LinkEnd, Observation, Packet,
+};
 
 use crate::{
     clock::time_s,
@@ -107,8 +109,8 @@ impl<B: Law> Brains<B> {
             Antenna { at: body.at, heading_rad: Some(body.heading_rad()) }
         };
         let base = course.base.into();
-        let mut transfer = |from: u16, to: u16, side, true_db, packet| {
-            let link = Link { from, to, side: Some(side) };
+        let mut transfer = |from: u16, to: u16, side: Option<Side>, true_db, packet| {
+            let link = Link { from, to, side };
             let received = self.radio.transfer(link, tick, true_db, packet)?;
             Some(Heard { from: received.from, loss_db: received.loss_db, packet: received.payload })
         };
@@ -124,13 +126,13 @@ impl<B: Law> Brains<B> {
         for (i, &uav) in flying.iter().enumerate() {
             if let Some(&behind) = flying.get(i + 1) {
                 let true_db = course.loss_db(&antenna(uav), &antenna(behind));
-                hear(uav, transfer(id(behind), id(uav), Side::Back, true_db, self.said[behind]));
-                hear(behind, transfer(id(uav), id(behind), Side::Front, true_db, self.said[uav]));
+                hear(uav, transfer(id(behind), id(uav), Some(Side::Back), true_db, self.said[behind]));
+                hear(behind, transfer(id(uav), id(behind), Some(Side::Front), true_db, self.said[uav]));
                 self.links.push((uav, true_db));
             } else {
                 let true_db = course.loss_db(&antenna(uav), &base);
-                hear(uav, transfer(BASE_ID, id(uav), Side::Back, true_db, Packet::BASE));
-                at_base = transfer(id(uav), base_of(course), Side::Front, true_db, self.said[uav]);
+                hear(uav, transfer(BASE_ID, id(uav), Some(Side::Back), true_db, Packet::BASE));
+                at_base = transfer(id(uav), base_of(course), Some(Side::Front), true_db, self.said[uav]);
                 self.links.push((uav, true_db));
             }
         }
@@ -138,7 +140,21 @@ impl<B: Law> Brains<B> {
         let ahead = in_line.and_then(|uav| self.members.ahead_of(self.members.place_of(uav)?));
         if let (Some(uav), Some(ahead)) = (in_line, ahead) {
             let true_db = course.loss_db(&antenna(ahead), &antenna(uav));
-            hear(uav, transfer(id(ahead), id(uav), Side::Front, true_db, self.said[ahead]));
+            hear(uav, transfer(id(ahead), id(uav), Some(Side::Front), true_db, self.said[ahead]));
+        }
+        // Whoever wants to hear more than his neighbours: links of no neighbours have random numbers of their own.
+        for (i, &uav) in flying.iter().enumerate() {
+            for off in 2..=usize::from(self.nodes[uav].reach()).min(HEARD_MAX / 2) {
+                let others = [i.checked_sub(off).and_then(|i| flying.get(i)), flying.get(i + off)];
+                for &other in others.into_iter().flatten() {
+                    let true_db = course.loss_db(&antenna(uav), &antenna(other));
+                    hear(uav, transfer(id(other), id(uav), None, true_db, self.said[other]));
+                }
+                if i + off == flying.len() {
+                    let true_db = course.loss_db(&antenna(uav), &base);
+                    hear(uav, transfer(BASE_ID, id(uav), None, true_db, Packet::BASE));
+                }
+            }
         }
         let Scenario { kalman, equalize, link, .. } = &self.course.scenario;
         self.base.hear(at_base.as_ref(), None, equalize.decision_s, kalman, link);

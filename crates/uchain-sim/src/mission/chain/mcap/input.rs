@@ -22,20 +22,31 @@ pub(super) struct InputMessage {
     speed_mps: f32,
     #[prost(uint32, tag = "2")]
     follow: u32,
+    #[prost(uint32, tag = "3")]
+    leader: u32,
+    #[prost(bool, tag = "4")]
+    is_held: bool,
 }
 
-impl From<PilotInput> for InputMessage {
-    fn from(input: PilotInput) -> Self {
-        Self { speed_mps: input.speed_mps, follow: number(&FOLLOWS, input.follow) }
+impl InputMessage {
+    /// What was asked for anew, and who leads the chain; `None` where there is nothing to say: nothing new, and it is UAV 0.
+    pub(super) fn of(input: Option<PilotInput>, leader: usize) -> Option<Self> {
+        if input.is_none() && leader == 0 {
+            return None;
+        }
+        let PilotInput { speed_mps, follow } = input.unwrap_or_default();
+        let follow = number(&FOLLOWS, follow);
+        Some(Self { speed_mps, follow, leader: leader as u32, is_held: input.is_none() })
     }
-}
 
-impl TryFrom<InputMessage> for PilotInput {
-    type Error = String;
-
-    fn try_from(message: InputMessage) -> Result<Self, String> {
-        let input = Self { speed_mps: message.speed_mps, follow: word("follow", &FOLLOWS, message.follow)? };
+    /// What was asked for anew, and who leads the chain.
+    pub(super) fn taken(self) -> Result<(Option<PilotInput>, usize), String> {
+        let leader = self.leader as usize;
+        if self.is_held {
+            return Ok((None, leader));
+        }
+        let input = PilotInput { speed_mps: self.speed_mps, follow: word("follow", &FOLLOWS, self.follow)? };
         PilotStep::from(Asked { tick: 0, input }).check().map_err(|error| error.to_string())?;
-        Ok(input)
+        Ok((Some(input), leader))
     }
 }

@@ -1,7 +1,7 @@
 //! Messages of a chain.
 
 use prost::Message as _;
-use uchain_core::chain::{PilotInput, Tof};
+use uchain_core::chain::Tof;
 
 use super::input::{INPUT, InputMessage};
 use crate::record::mcap::{Described, Recordable, alike, bounded, few, set};
@@ -51,8 +51,6 @@ pub struct FrameMessage {
     link_silent_s: Vec<f32>,
     #[prost(float, repeated, tag = "19")]
     head_mps: Vec<f32>,
-    #[prost(uint32, tag = "22")]
-    leader: u32,
 }
 
 /// `uchain.Metrics`.
@@ -91,10 +89,9 @@ impl From<Moment> for MetricsMessage {
 impl FrameMessage {
     /// Takes a frame's values.
     fn fill(&mut self, frame: &Frame) {
-        // The pilot's input is a message of its own.
-        let Frame { tick, decision, uavs, leader, links, head_reach_m, head, input: _ } = frame;
+        // The pilot's input, and who is piloted, are a message of their own.
+        let Frame { tick, decision, uavs, leader: _, links, head_reach_m, head, input: _ } = frame;
         (self.tick, self.decision, self.head_reach_m) = (*tick, *decision, *head_reach_m);
-        self.leader = *leader as u32;
         set(&mut self.x_m, uavs.iter().map(|uav| uav.x_m));
         set(&mut self.y_m, uavs.iter().map(|uav| uav.y_m));
         set(&mut self.heading_rad, uavs.iter().map(|uav| uav.heading_rad));
@@ -122,8 +119,11 @@ impl FrameMessage {
     fn pour(&self, frame: &mut Frame) -> Result<(), String> {
         self.check()?;
         (frame.tick, frame.decision, frame.head_reach_m) = (self.tick, self.decision, self.head_reach_m);
-        frame.leader = self.leader as usize;
         set(&mut frame.uavs, (0..self.x_m.len()).map_while(|i| self.uav(i)));
+        let uavs = frame.uavs.len();
+        if frame.leader != 0 && frame.leader >= uavs {
+            return Err(format!("leader = {}: expected one of {uavs} UAVs", frame.leader));
+        }
         set(&mut frame.links, (0..self.link_uav.len()).map_while(|i| self.link(i)));
         frame.head = match self.head_mps[..] {
             [pilot_mps, allowed_mps, asked_mps] => Some(HeadFrame { pilot_mps, allowed_mps, asked_mps }),
@@ -200,9 +200,6 @@ impl FrameMessage {
                 return Err(format!("tof_m = {beams:?} of UAV {uav}: expected four numbers, or none"));
             }
         }
-        if self.leader != 0 && self.leader as usize >= uavs {
-            return Err(format!("leader = {}: expected one of {uavs} UAVs", self.leader));
-        }
         let links = self.link_uav.len();
         let lengths = [
             ("link_true_db", self.link_true_db.len()),
@@ -272,16 +269,13 @@ impl Recordable for Frame {
     }
 
     fn input(&self) -> Option<impl prost::Message> {
-        self.input.map(InputMessage::from)
+        InputMessage::of(self.input, self.leader)
     }
 
     fn take_input(&mut self, message: Option<&[u8]>) -> Result<(), String> {
-        self.input = match message {
-            Some(bytes) => {
-                let message = InputMessage::decode(bytes).map_err(|error| error.to_string())?;
-                Some(PilotInput::try_from(message)?)
-            }
-            None => None,
+        (self.input, self.leader) = match message {
+            Some(bytes) => InputMessage::decode(bytes).map_err(|error| error.to_string())?.taken()?,
+            None => (None, 0),
         };
         Ok(())
     }
