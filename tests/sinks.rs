@@ -166,12 +166,16 @@ fn a_peer_reads_a_run_while_it_is_flown() {
 
 #[test]
 fn a_peer_that_goes_away_ends_the_run_in_words() {
-    let (stream, listener) = peer(|mut stream| {
+    let (has_begun, begun) = std::sync::mpsc::channel();
+    let (stream, listener) = peer(move |mut stream| {
         let mut begin = [0; 8];
         stream.read_exact(&mut begin).unwrap();
+        begun.recv().unwrap();
         begin
     });
     let mut recorder = McapRecorder::start(stream, &course("corner", &[]), 1).unwrap();
+    // Before the first tick it is there still.
+    has_begun.send(()).unwrap();
     assert_eq!(&listener.join().unwrap(), b"\x89MCAP0\r\n", "it was there");
     let error = run(&course("corner", &[]), 1, &mut recorder).unwrap_err();
     assert!(matches!(error, RecordError::Io(_)), "{error:?}");
