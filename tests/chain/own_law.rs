@@ -14,7 +14,7 @@ use uchain_sim::{
     config::builtin,
     mission::{
         Mission, Scene as _,
-        chain::{Chain, ChainExtensions, ChainOf, Course},
+        chain::{Chain, ChainExtensions, ChainOf, Course, MakeBrain},
     },
     registry::{Of, Registry},
     run::run,
@@ -243,4 +243,25 @@ fn a_law_has_its_name_in_every_command() {
         uchain(&[&short[..], &[&path("none"), "--set", "chain.brain=mien"]].concat()),
         ExitCode::SUCCESS
     );
+}
+
+#[test]
+fn a_word_for_a_law_is_explained_and_names_one_law_only() {
+    let registry = Registry::new(&[&CHAINS]);
+    let brain = &registry.explain("chain.brain").unwrap()[0];
+    let words: Vec<&str> = brain.choices.iter().map(|(word, _)| word.as_str()).collect();
+    assert_eq!((brain.kind, words), ("word", vec!["node", "mine"]));
+    let refused = |brains, word: &str| {
+        let source = builtin("corner").unwrap();
+        let sets = [format!("chain.brain={word}")];
+        let laid = Course::read_with(&source, &sets, ChainExtensions { brains, ..Course::BUILTIN });
+        laid.map(drop).map_err(|error| error.to_string())
+    };
+    let twice = "this program gives the word to more than one law";
+    let mine: MakeBrain = |uav, params| Box::new(Mine::new(uav, params));
+    for (brains, word) in [([("mine", mine); 2], "mine"), ([("node", mine); 2], "node")] {
+        let error = refused(Box::leak(Box::new(brains)), word).unwrap_err();
+        assert!(error.contains(twice), "{error}");
+    }
+    assert_eq!(refused(Box::leak(Box::new([("mine", mine)])), "mine"), Ok(()), "the control");
 }

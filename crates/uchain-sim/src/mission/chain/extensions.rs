@@ -37,7 +37,8 @@ pub type MakeBrain = fn(uav: usize, params: &NodeParams) -> Box<dyn Brain>;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct ChainExtensions {
-    /// Laws of one's own, by the word that `chain.brain` has for them.
+    /// Laws of one's own, by the word that `chain.brain` has for them. None has the word of the built-in one, "node", or of
+    /// another of them.
     pub brains: &'static [(&'static str, MakeBrain)],
     /// Models that `radio.model` may name. None has the word of a built-in one, or of another of them.
     pub radios: &'static [RadioKind],
@@ -58,7 +59,14 @@ impl ChainExtensions {
         name: Option<&str>,
         document: &Document<'_>,
     ) -> Result<Option<OwnLaw>, ConfigError> {
-        let Some(name) = name.filter(|name| *name != Self::NODE) else { return Ok(None) };
+        let Some(name) = name else { return Ok(None) };
+        if self.words().iter().filter(|word| **word == name).count() > 1 {
+            let expected = "this program gives the word to more than one law";
+            return Err(document.invalid("chain.brain", &format!("\"{name}\""), expected));
+        }
+        if name == Self::NODE {
+            return Ok(None);
+        }
         match self.brains.iter().find(|(word, _)| *word == name) {
             Some((_, make)) => Ok(Some(OwnLaw::new(*make))),
             None => Err(document.unknown_choice("chain.brain", name, &self.words())),

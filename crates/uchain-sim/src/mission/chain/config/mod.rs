@@ -50,7 +50,12 @@ pub(crate) static KNOWN: LazyLock<KnownKeys> = LazyLock::new(|| KnownKeys::of(&[
 pub(crate) fn schema(extensions: super::ChainExtensions) -> serde_json::Value {
     let mut schema = crate::config::help::schema_of::<Scenario>();
     if let Some(brain) = schema.pointer_mut("/properties/chain/properties/brain") {
-        brain["enum"] = extensions.words().into();
+        let own = "A law of the program's own.";
+        let meanings =
+            std::iter::once("The built-in law (Laclau 2021, Algorithm 1).").chain(std::iter::repeat(own));
+        let choice =
+            |(word, meaning)| serde_json::json!({ "type": "string", "const": word, "description": meaning });
+        brain["oneOf"] = extensions.words().into_iter().zip(meanings).map(choice).collect();
     }
     crate::radio::RadioKind::add_to_schema(extensions.radios, &mut schema["properties"]["radio"]);
     schema
