@@ -6,7 +6,7 @@ use image::{DynamicImage, ImageError, ImageReader};
 use png::{BitDepth, ColorType};
 use proptest::prelude::*;
 
-use super::{MOST_SIDE, Picture, PictureError};
+use super::{MOST_CELLS, MOST_SIDE, Picture, PictureError};
 
 /// What is asked of a picture: its width, and the mean colour and whether it is opaque of every pixel.
 type Read = Result<(usize, Vec<(f64, bool)>), PictureError>;
@@ -42,11 +42,26 @@ fn oracle(file: &[u8]) -> Read {
     Ok((cols, means.into_iter().zip(opaque).collect()))
 }
 
-/// What the oracle says of `file`, which is what we say of it.
+/// What the oracle says of `file`, which is what we say of it but for two limits: it bounds the sides and not the cells
+/// in all, and takes what does not fit its numbers for another format.
 #[track_caller]
 fn agreed(file: &[u8]) -> Read {
     let read = read(file);
-    assert_eq!(read, oracle(file), "{:?}", String::from_utf8_lossy(&file[..file.len().min(200)]));
+    let told = String::from_utf8_lossy(&file[..file.len().min(200)]);
+    match read {
+        Err(PictureError::TooManyCells { cols, rows }) => {
+            assert!(cols <= MOST_SIDE && rows <= MOST_SIDE, "{told:?}");
+            assert!(u64::from(cols) * u64::from(rows) > MOST_CELLS, "{told:?}");
+        }
+        Err(PictureError::TooLarge) => {
+            let refused = oracle(file);
+            assert!(
+                matches!(refused, Err(PictureError::TooLarge | PictureError::Unknown)),
+                "{told:?}: {refused:?}"
+            );
+        }
+        _ => assert_eq!(read, oracle(file), "{told:?}"),
+    }
     read
 }
 
@@ -200,10 +215,13 @@ fn what_a_head_promises_beyond_the_file_gets_no_memory() {
         assert!(allocated.bytes_max < 1000, "{file}: {} bytes", allocated.bytes_max);
     }
     let too_many = PictureError::TooManyCells { cols: 16_384, rows: 4097 };
-    assert_eq!(read(b"P5 16384 4097 255\n"), Err(too_many));
+    assert_eq!(agreed(b"P5 16384 4097 255\n"), Err(too_many));
+    // Two numbers on their own are no picture for the oracle either, and too many cells all the same.
+    assert_eq!(agreed(b"P1 7210 9310 "), Err(PictureError::TooManyCells { cols: 7210, rows: 9310 }));
+    assert_eq!(agreed(b"P1 8192 8192 "), Err(PictureError::Damaged));
     assert_eq!(too_many.to_string(), "16384 × 4097 cells: more than 67108864");
     // What the oracle takes for another format is too large.
-    assert_eq!(read(b"P6 4294967295 4294967295 65535\n"), Err(PictureError::TooLarge));
+    assert_eq!(agreed(b"P6 4294967295 4294967295 65535\n"), Err(PictureError::TooLarge));
 }
 
 /// Bytes that hold the words of PNM files more often than chance would.
@@ -211,6 +229,7 @@ fn pnm() -> impl Strategy<Value = Vec<u8>> {
     let word = prop_oneof![
         4 => (0..300_u32).prop_map(|number| number.to_string()),
         2 => (0..4_u32).prop_map(|number| number.to_string()),
+        1 => prop::sample::select(vec!["4096 ", "16384 ", "16385 ", "4294967295 "]).prop_map(str::to_owned),
         1 => prop::sample::select(vec!["#c", "#\n", "65535", "65536", "-1", "+1", "x", "\u{fc}"]).prop_map(str::to_owned),
     ];
     let blank = prop::sample::select(vec![" ", "\n", "\t", "  ", "\r", ""]);
