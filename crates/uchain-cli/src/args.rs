@@ -3,7 +3,7 @@
 mod advise;
 mod text;
 
-use std::{ffi::OsString, path::PathBuf, process::ExitCode};
+use std::{ffi::OsString, path::PathBuf};
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
@@ -102,7 +102,7 @@ pub(crate) enum Parsed {
     /// To be executed.
     Command(Command),
     /// Help, version or a usage error: already on the screen.
-    Answered(ExitCode),
+    Answered(Exit),
 }
 
 /// The whole grammar, with all its help.
@@ -122,7 +122,7 @@ pub(crate) fn parse(
             let exit = if answer.use_stderr() { Exit::Usage } else { Exit::Ok };
             // A reader that went away has seen enough.
             let _ = advise::advise(registry, answer, &args).print();
-            Parsed::Answered(exit.code())
+            Parsed::Answered(exit)
         }
     }
 }

@@ -4,7 +4,6 @@ use std::{
     fmt::Write as _,
     io,
     path::{Path, PathBuf},
-    process::ExitCode,
 };
 
 use uchain_sim::{
@@ -52,8 +51,8 @@ const TABLE: [(Exit, &str); 6] = [
 ];
 
 impl Exit {
-    pub(crate) fn code(self) -> ExitCode {
-        ExitCode::from(self as u8)
+    pub(crate) fn code(self) -> u8 {
+        self as u8
     }
 }
 

@@ -49,7 +49,7 @@ use uchain_sim::{
 };
 
 use args::{Command, Parsed};
-use exit::Failure;
+use exit::{Exit, Failure};
 
 /// Runs one command line; the first argument is the program's name. Results go to stdout, all else to
 /// stderr. The exit codes are listed by `uchain --help`.
@@ -62,12 +62,17 @@ pub fn main_with_missions(
     registry: Registry,
     args: impl IntoIterator<Item = impl Into<OsString> + Clone>,
 ) -> ExitCode {
+    ExitCode::from(code_with(registry, args))
+}
+
+/// Like [`main_with_missions`], and gives the exit code as a number: for programs that end in another way.
+pub fn code_with(registry: Registry, args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> u8 {
     let done = match args::parse(registry, args) {
         Parsed::Command(command) => execute(registry, command),
-        Parsed::Answered(code) => return code,
+        Parsed::Answered(exit) => return exit.code(),
     };
     match done {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => Exit::Ok.code(),
         // What differs has been said.
         Err(failure @ Failure::Differ) => failure.exit().code(),
         Err(failure) => {

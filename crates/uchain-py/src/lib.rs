@@ -1,1 +1,58 @@
-//! Python bindings of uchain: sweeps and runs from a notebook. Empty so far; nothing depends on it.
+//! uchain for Python: the module `uchain._uchain`, which the package `uchain` is made of.
+//!
+//! Nothing here computes: every function is a signature, one call into [`uchain_sim`] without the interpreter's lock, and
+//! a table of errors. [`fill`] makes a module of it for missions with laws of one's own in Rust; `examples/own_law/` is
+//! one.
+
+// One mathematics for the whole module: its runs have the same bits as those of the command line.
+use uchain_libm as _;
+
+mod command;
+mod errors;
+mod scenario;
+mod work;
+
+use std::sync::OnceLock;
+
+use pyo3::{prelude::*, types::PyType};
+use uchain_sim::registry::Registry;
+
+/// The missions of this module: its first [`fill`] says which.
+static MISSIONS: OnceLock<Registry> = OnceLock::new();
+
+/// The missions that scenarios and recordings may be of.
+pub(crate) fn registry() -> Registry {
+    MISSIONS.get().copied().unwrap_or_default()
+}
+
+/// Fills a module with all that uchain offers Python, for scenarios and recordings of these missions. A process has one
+/// such module of a shared library: what the first call says holds.
+///
+/// # Errors
+/// Python's own, when it cannot make a class.
+pub fn fill(module: &Bound<'_, PyModule>, missions: Registry) -> PyResult<()> {
+    MISSIONS.get_or_init(|| missions);
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    command::fill(module)?;
+    errors::fill(module)?;
+    scenario::fill(module)?;
+    belongs(module)
+}
+
+/// Classes are found by the name of the package that shows them, so that instances can be pickled.
+fn belongs(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    let name = module.name()?;
+    let name = name.to_str()?;
+    let package = name.strip_suffix("._uchain").unwrap_or(name);
+    for (_, value) in module.dict() {
+        if let Ok(class) = value.cast::<PyType>() {
+            class.setattr("__module__", package)?;
+        }
+    }
+    Ok(())
+}
+
+#[pymodule]
+fn _uchain(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    fill(module, Registry::default())
+}

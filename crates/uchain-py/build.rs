@@ -1,0 +1,9 @@
+//! Links the module so that it computes with its own mathematics.
+//!
+//! An executable's `exp` is its own if it has one. A shared library's is not: the loader asks the process first, and Python
+//! has the system's. With `-Bsymbolic-functions` the linker binds the module's calls to the module's functions for good.
+
+fn main() {
+    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rustc-cdylib-link-arg=-Wl,-Bsymbolic-functions");
+}
