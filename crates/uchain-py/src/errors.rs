@@ -1,5 +1,7 @@
 //! Errors of Rust as exceptions of Python: the words are the command line's, remedies included.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use pyo3::{create_exception, exceptions::PyException, prelude::*};
 use uchain_sim::config::ConfigError;
 
@@ -19,6 +21,19 @@ create_exception!(
 /// Of a scenario.
 pub(crate) fn scenario(error: &ConfigError) -> PyErr {
     ScenarioError::new_err(error.to_string())
+}
+
+/// Does something that should not panic; if it does, that is an exception like any other.
+///
+/// # Errors
+/// `UchainError` with what the panic said.
+pub(crate) fn caught<T>(work: impl FnOnce() -> T) -> PyResult<T> {
+    // Whatever was being made is given up.
+    catch_unwind(AssertUnwindSafe(work)).map_err(|panic| {
+        let said = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+        let said = said.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_default();
+        UchainError::new_err(format!("a fault in uchain, please report it: {said}"))
+    })
 }
 
 pub(crate) fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -10,6 +10,7 @@ use uchain_libm as _;
 mod command;
 mod errors;
 mod scenario;
+mod value;
 mod work;
 
 use std::sync::OnceLock;

@@ -1,5 +1,17 @@
-"""A swarm simulator in which radio is the sensor that matters."""
+"""A swarm simulator in which radio is the sensor that matters.
 
-from ._uchain import ScenarioError, Scenario, UchainError, __version__, scenarios
+>>> import uchain
+>>> uchain.Scenario.from_name("corner")
+<uchain.Scenario corner: chain, 4 UAVs, 150 s>
+"""
 
-__all__ = ["Scenario", "ScenarioError", "UchainError", "__version__", "scenarios"]
+from ._uchain import Scenario, ScenarioError, UchainError, __version__, main, scenarios
+
+__all__ = [
+    "Scenario",
+    "ScenarioError",
+    "UchainError",
+    "__version__",
+    "main",
+    "scenarios",
+]

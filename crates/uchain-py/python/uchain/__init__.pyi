@@ -1,0 +1,59 @@
+"""Types of the package `uchain`. A part of it is described where it is defined; `help(uchain)` has the same words."""
+
+from os import PathLike
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = [
+    "Scenario",
+    "ScenarioError",
+    "UchainError",
+    "__version__",
+    "main",
+    "scenarios",
+]
+
+__version__: str
+
+# --- exceptions
+
+class UchainError(Exception): ...
+class ScenarioError(UchainError): ...
+
+# --- scenarios
+
+@final
+class Scenario:
+    @classmethod
+    def from_name(cls, name: str) -> Scenario: ...
+    @classmethod
+    def from_file(cls, path: str | PathLike[str]) -> Scenario: ...
+    @classmethod
+    def from_toml(cls, text: str, folder: str | PathLike[str] | None = None) -> Scenario: ...
+    def with_(self, **values: Any) -> Scenario: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def mission(self) -> str: ...
+    @property
+    def robots(self) -> int: ...
+    @property
+    def duration_s(self) -> float: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def toml(self) -> str: ...
+    @property
+    def overrides(self) -> dict[str, str]: ...
+    @property
+    def walls_m(self) -> NDArray[np.float32]: ...
+    def __eq__(self, value: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
+
+def scenarios() -> dict[str, str]: ...
+
+# --- command line
+
+def main(args: list[str] | None = None) -> int: ...
