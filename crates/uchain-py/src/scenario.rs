@@ -28,7 +28,7 @@ use crate::{errors, registry, value::toml_text};
 /// >>> import uchain
 /// >>> corner = uchain.Scenario.from_name("corner")
 /// >>> corner.robots, corner.duration_s
-/// (4, 150.0)
+/// (4, 120.0)
 /// >>> noisy = corner.with_(**{"radio.sigma_db": 3, "duration_s": 60})
 /// >>> noisy.duration_s
 /// 60.0

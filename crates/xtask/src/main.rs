@@ -17,6 +17,9 @@ use house::House;
 use steps::{Outcome, Step};
 
 fn main() -> ExitCode {
+    if std::env::var_os(steps::python::PACKS_WITH).is_some() {
+        return steps::python::build_for_maturin();
+    }
     match args::parse(std::env::args().skip(1)) {
         Ok(Wish::Help) => {
             print!("{}", args::help());

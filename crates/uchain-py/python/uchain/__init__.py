@@ -2,7 +2,7 @@
 
 >>> import uchain
 >>> uchain.Scenario.from_name("corner")
-<uchain.Scenario corner: chain, 4 UAVs, 150 s>
+<uchain.Scenario corner: chain, 4 UAVs, 120 s>
 """
 
 from ._uchain import Scenario, ScenarioError, UchainError, __version__, main, scenarios

@@ -7,7 +7,7 @@ mod features;
 mod libm;
 mod locks;
 mod no_std;
-mod python;
+pub(crate) mod python;
 mod rooms;
 
 use anyhow::Result;
@@ -64,7 +64,12 @@ pub(crate) const STEPS: &[Step] = &[
     Step {
         name: "python",
         about: "Python's mcap and pyarrow find in recordings and sweeps what uchain finds",
-        run: python::reads_results,
+        run: python::are_read,
+    },
+    Step {
+        name: "wheel",
+        about: "Python's module: installed, typed as it says, its tests, README's ten lines in a bare Python",
+        run: python::is_what_it_says,
     },
     Step {
         name: "no-std",

@@ -3,23 +3,19 @@
 
 use std::{fs, process::Command};
 
-use anyhow::{Context as _, Result, ensure};
+use anyhow::{Context as _, Result};
 
-use super::Outcome;
-use crate::house::{self, House, read, run};
+use super::environment::Environment;
+use crate::{
+    house::{House, read, run},
+    steps::Outcome,
+};
 
-/// How the interpreter comes to where it is looked for.
-const INSTALL: &str =
-    "python3 -m venv target/venv && target/venv/bin/pip install -r tests/python/requirements.txt";
-
-pub(super) fn reads_results(house: &House) -> Result<Outcome> {
-    let python = house.target.join("venv/bin/python");
-    if !python.exists() {
-        ensure!(!house::ci(), "{} is missing: {INSTALL}", python.display());
-        return Ok(Outcome::Skipped(format!(
-            "no Python with mcap and pyarrow in the target folder: {INSTALL}"
-        )));
-    }
+pub(crate) fn are_read(house: &House) -> Result<Outcome> {
+    let python = match Environment::of_tests(house)? {
+        Ok(environment) => environment.python(),
+        Err(why) => return Ok(Outcome::Skipped(why)),
+    };
     // Words of the step `test`: whole workspace, same features, so that nothing compiles a second time.
     run(&mut house.cargo("test --locked --profile checked --workspace --tests --no-run"))?;
     let uchain = || Command::new(house.target.join("checked/uchain"));

@@ -1,0 +1,9 @@
+//! The steps that ask Python: whether others read what we write, and whether the module is what it says.
+
+mod environment;
+mod results;
+mod wheel;
+
+pub(super) use results::are_read;
+pub(super) use wheel::is_what_it_says;
+pub(crate) use wheel::{PACKS_WITH, build_for_maturin};
