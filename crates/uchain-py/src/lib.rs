@@ -9,6 +9,7 @@ use uchain_libm as _;
 
 mod command;
 mod errors;
+mod laws;
 mod scenario;
 mod value;
 mod work;
@@ -37,17 +38,22 @@ pub fn fill(module: &Bound<'_, PyModule>, missions: Registry) -> PyResult<()> {
     command::fill(module)?;
     errors::fill(module)?;
     scenario::fill(module)?;
-    belongs(module)
+    belongs(module, &package(module)?)?;
+    laws::fill(module)
 }
 
-/// Classes are found by the name of the package that shows them, so that instances can be pickled.
-fn belongs(module: &Bound<'_, PyModule>) -> PyResult<()> {
+/// The package that shows a module.
+fn package(module: &Bound<'_, PyModule>) -> PyResult<String> {
     let name = module.name()?;
     let name = name.to_str()?;
-    let package = name.strip_suffix("._uchain").unwrap_or(name);
+    Ok(name.strip_suffix("._uchain").unwrap_or(name).to_owned())
+}
+
+/// Classes are found by the name of what shows them, so that instances can be pickled.
+fn belongs(module: &Bound<'_, PyModule>, shown_by: &str) -> PyResult<()> {
     for (_, value) in module.dict() {
         if let Ok(class) = value.cast::<PyType>() {
-            class.setattr("__module__", package)?;
+            class.setattr("__module__", shown_by)?;
         }
     }
     Ok(())

@@ -154,7 +154,7 @@ impl Scenario {
         Self::lay(slf.py(), this.source.clone(), sets)
     }
 
-    /// Its name.
+    /// Its name: letters, digits, hyphens.
     #[getter]
     fn name(&self) -> &str {
         self.scene.name()

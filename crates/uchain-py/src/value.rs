@@ -16,11 +16,19 @@ const PARTS_MAX: usize = 1_000_000;
 /// # Errors
 /// `TypeError` of what TOML has no word for, `ValueError` of a number or a list beyond its limits; both name the key.
 pub(crate) fn toml_text(key: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
-    let mut parts = 0;
-    Ok(toml_value(key, value, 0, &mut parts)?.to_string())
+    Ok(toml_value(key, value)?.to_string())
 }
 
-fn toml_value(key: &str, value: &Bound<'_, PyAny>, depth: usize, parts: &mut usize) -> PyResult<toml::Value> {
+/// A value as TOML has it.
+///
+/// # Errors
+/// Those of [`toml_text`].
+pub(crate) fn toml_value(key: &str, value: &Bound<'_, PyAny>) -> PyResult<toml::Value> {
+    let mut parts = 0;
+    part(key, value, 0, &mut parts)
+}
+
+fn part(key: &str, value: &Bound<'_, PyAny>, depth: usize, parts: &mut usize) -> PyResult<toml::Value> {
     *parts += 1;
     if depth > DEPTH_MAX || *parts > PARTS_MAX {
         let most = format!("at most {PARTS_MAX} parts, {DEPTH_MAX} levels deep");
@@ -44,7 +52,7 @@ fn toml_value(key: &str, value: &Bound<'_, PyAny>, depth: usize, parts: &mut usi
     if value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>() {
         let mut items = Vec::new();
         for item in value.try_iter()? {
-            items.push(toml_value(key, &item?, depth + 1, parts)?);
+            items.push(part(key, &item?, depth + 1, parts)?);
         }
         return Ok(toml::Value::Array(items));
     }
@@ -54,7 +62,7 @@ fn toml_value(key: &str, value: &Bound<'_, PyAny>, depth: usize, parts: &mut usi
             let name: String = name
                 .extract()
                 .map_err(|_| PyTypeError::new_err(format!("{key}: a table's keys are expected to be str")))?;
-            table.insert(name, toml_value(key, &item, depth + 1, parts)?);
+            table.insert(name, part(key, &item, depth + 1, parts)?);
         }
         return Ok(toml::Value::Table(table));
     }
@@ -62,7 +70,7 @@ fn toml_value(key: &str, value: &Bound<'_, PyAny>, depth: usize, parts: &mut usi
     for method in ["__fspath__", "tolist"] {
         if value.hasattr(method)? {
             let plain = value.call_method0(method)?;
-            return toml_value(key, &plain, depth + 1, parts);
+            return part(key, &plain, depth + 1, parts);
         }
     }
     let got = value.get_type().name()?.to_string();

@@ -55,6 +55,13 @@ impl ScalarKalman {
         })
     }
 
+    /// A filter that goes on from an estimate and its variance, as [`loss_db`](Self::loss_db) and
+    /// [`variance_db2`](Self::variance_db2) gave them; `None` if one of them is none.
+    pub fn resume(loss_db: f32, variance_db2: f32) -> Option<Self> {
+        let is_sound = loss_db.abs() <= LOSS_LIMIT_DB && (0.0..=VARIANCE_LIMIT_DB2).contains(&variance_db2);
+        is_sound.then_some(Self { loss_db, variance_db2 })
+    }
+
     /// Moves the estimate with the ends (Eq. 18): `separating_mps` is the speed of the front end minus
     /// that of the rear end, `period_s` the time since the last step. A non-finite speed counts as 0.
     pub fn predict(&mut self, separating_mps: f32, period_s: f32, params: &KalmanParams) {
@@ -113,6 +120,17 @@ mod tests {
         filter.predict(0.2, 0.2, &params);
         // A at 5 Hz is 2.14 dB per (m/s).
         assert!((filter.loss_db() - 50.428).abs() < 1e-3);
+    }
+
+    #[test]
+    fn a_filter_goes_on_from_what_it_said_and_from_nothing_else() {
+        let params = KalmanParams::default();
+        let mut filter = ScalarKalman::start(50.0, &params).unwrap();
+        filter.predict(0.1, 0.2, &params);
+        assert_eq!(ScalarKalman::resume(filter.loss_db(), filter.variance_db2()), Some(filter));
+        for (loss_db, variance_db2) in [(f32::NAN, 1.0), (50.0, -1.0), (50.0, f32::NAN), (2.0e4, 1.0)] {
+            assert_eq!(ScalarKalman::resume(loss_db, variance_db2), None);
+        }
     }
 
     #[test]

@@ -1,0 +1,76 @@
+//! Choices as words: the ones that scenarios have for them.
+
+use pyo3::{exceptions::PyValueError, prelude::*};
+use uchain_core::chain::{Follow, Override, Role, Stage, Walls};
+use uchain_core::explore::Purpose;
+
+/// The choice of a word.
+///
+/// # Errors
+/// `ValueError` with the words there are.
+pub(super) fn choice<T: Copy>(name: &str, word: &str, known: &[(&str, T)]) -> PyResult<T> {
+    if let Some((_, chosen)) = known.iter().find(|(known, _)| *known == word) {
+        return Ok(*chosen);
+    }
+    let words: Vec<&str> = known.iter().map(|(word, _)| *word).collect();
+    let got: String = word.chars().take(40).collect();
+    Err(PyValueError::new_err(format!("{name}: '{got}'; expected {}", words.join(", "))))
+}
+
+pub(super) const FOLLOW: [(&str, Follow); 3] =
+    [("centre", Follow::Centre), ("left", Follow::Left), ("right", Follow::Right)];
+pub(super) const ROLES: [(&str, Role); 2] = [("head", Role::Head), ("relay", Role::Relay)];
+
+pub(super) fn follow(choice: Follow) -> &'static str {
+    match choice {
+        Follow::Centre => "centre",
+        Follow::Left => "left",
+        Follow::Right => "right",
+    }
+}
+
+pub(super) fn role(role: Role) -> &'static str {
+    match role {
+        Role::Head => "head",
+        Role::Relay => "relay",
+    }
+}
+
+pub(super) fn stage(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Waiting => "waiting",
+        Stage::Rising => "rising",
+        Stage::Flying => "flying",
+        _ => "other",
+    }
+}
+
+pub(super) fn walls(walls: Walls) -> &'static str {
+    match walls {
+        Walls::Both => "both",
+        Walls::Left => "left",
+        Walls::Right => "right",
+    }
+}
+
+pub(super) fn purpose(purpose: Purpose) -> &'static str {
+    match purpose {
+        Purpose::Explore => "explore",
+        Purpose::Backtrack => "backtrack",
+        Purpose::Home => "home",
+        Purpose::Park => "park",
+        Purpose::Wait => "wait",
+    }
+}
+
+/// What overrode a wish, in words with hyphens.
+pub(super) fn overridden(by: Override) -> String {
+    let mut word = String::new();
+    for letter in format!("{by:?}").chars() {
+        if letter.is_uppercase() && !word.is_empty() {
+            word.push('-');
+        }
+        word.extend(letter.to_lowercase());
+    }
+    word
+}
