@@ -12,6 +12,8 @@ mod fast;
 mod faults;
 /// Claims of the laws for whatever they may meet.
 mod laws;
+/// Relays may be levelled from elsewhere, all at once or at another time.
+mod levelling;
 /// Ids are for life, and the chain's order is a list that changes.
 mod members;
 /// A law of one's own flies where the built-in one does.

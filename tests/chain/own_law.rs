@@ -24,7 +24,7 @@ use crate::course;
 
 /// Flies as the built-in node does: Algorithm 1, Eq. 12, Eq. 20 and 21, the overrides of §4.3.
 #[derive(Debug)]
-struct Mine {
+pub(super) struct Mine {
     params: NodeParams,
     place: u16,
     airborne: bool,
@@ -40,7 +40,7 @@ struct Mine {
 }
 
 impl Mine {
-    fn new(uav: usize, params: &NodeParams) -> Self {
+    pub(super) fn new(uav: usize, params: &NodeParams) -> Self {
         Self {
             params: params.clone(),
             place: uav as u16,

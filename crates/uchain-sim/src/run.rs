@@ -57,9 +57,9 @@ pub fn fly<S: Scene>(
     seed: u64,
     recorder: &mut impl Recorder<FrameOf<S>>,
 ) -> Result<(SummaryOf<S>, MetricsOf<S>), RecordError> {
-    let mut under_way = UnderWay::<S>::start(scene, seed);
+    let mut under_way = UnderWay::<S::Mission>::start(scene, seed);
     while under_way.tick(recorder)?.is_none() {}
-    Ok(under_way.sum_up(seed))
+    Ok(under_way.sum_up())
 }
 
 /// What a flight by hand came to.
@@ -119,7 +119,7 @@ pub fn run_with<S: Scene>(
     pilot: &mut impl Pilot<FrameOf<S>, InputOf<S>>,
     recorder: &mut impl Recorder<FrameOf<S>>,
 ) -> Result<Piloted<S>, RunError> {
-    let mut under_way = UnderWay::<S>::start(scene, seed);
+    let mut under_way = UnderWay::<S::Mission>::start(scene, seed);
     let mut inputs: Vec<Asked<InputOf<S>>> = Vec::new();
     let mut tick = 0;
     loop {
@@ -138,28 +138,86 @@ pub fn run_with<S: Scene>(
         }
         tick += 1;
     }
-    let (summary, metrics) = under_way.sum_up(seed);
+    let (summary, metrics) = under_way.sum_up();
     Ok(Piloted { summary, metrics, inputs })
 }
 
-/// A mission and those who always watch it.
-struct UnderWay<S: Scene> {
-    mission: S::Mission,
-    metrics: MetricsOf<S>,
+/// A mission under way and those who always watch it: what sums it up, and its digest. Whoever flies tick by tick holds it.
+///
+/// ```
+/// use uchain_libm as _; // the same bits on every system
+/// use uchain_sim::{config::builtin, mission::chain::{Chain, Course}, run::{UnderWay, run}};
+/// let course = Course::read(&builtin("straight").unwrap(), &["duration_s=5".into()]).unwrap();
+/// let mut under_way = UnderWay::<Chain>::start(&course, 1);
+/// while under_way.tick(&mut ()).unwrap().is_none() {}
+/// assert_eq!(under_way.summary(), run(&course, 1, &mut ()).unwrap());
+/// ```
+#[derive(Debug)]
+pub struct UnderWay<M: Mission> {
+    mission: M,
+    metrics: M::Metrics,
     digest: Digest,
+    seed: u64,
 }
 
-impl<S: Scene> UnderWay<S> {
-    fn start(scene: &Arc<S>, seed: u64) -> Self {
-        let mission = S::Mission::start(scene.clone(), seed);
-        Self { mission, metrics: MetricsOf::<S>::of(scene.clone()), digest: Digest::default() }
+impl<M: Mission> UnderWay<M> {
+    /// Before its first tick.
+    pub fn start(scene: &Arc<M::Scene>, seed: u64) -> Self {
+        let mission = M::start(scene.clone(), seed);
+        Self { mission, metrics: M::Metrics::of(scene.clone()), digest: Digest::default(), seed }
     }
 
-    fn tick(&mut self, recorder: &mut impl Recorder<FrameOf<S>>) -> Result<Option<Stopped>, RecordError> {
+    /// As [`UnderWay::start`] would make it of the same scene, in the memory it has.
+    pub fn reset(&mut self, seed: u64) {
+        self.mission.reset(seed);
+        let scene = self.mission.scene().clone();
+        (self.metrics, self.digest, self.seed) = (M::Metrics::of(scene), Digest::default(), seed);
+    }
+
+    /// One tick. Says why, once the mission is over.
+    ///
+    /// # Errors
+    /// Those of [`Mission::step`].
+    pub fn tick(&mut self, recorder: &mut impl Recorder<M::Frame>) -> Result<Option<Stopped>, RecordError> {
         self.mission.step(&mut ((&mut self.metrics, &mut self.digest), recorder))
     }
 
-    fn sum_up(self, seed: u64) -> (SummaryOf<S>, MetricsOf<S>) {
-        (self.metrics.sum_up(seed, self.digest.hex()), self.metrics)
+    /// The second half of a tick, for whoever decides for the robots himself: [`Mission::act`].
+    ///
+    /// # Errors
+    /// Only the recorder's own.
+    pub fn act(
+        &mut self,
+        commands: &[M::Command],
+        recorder: &mut impl Recorder<M::Frame>,
+    ) -> Result<Option<Stopped>, RecordError> {
+        let stopped = self.mission.act(commands);
+        ((&mut self.metrics, &mut self.digest), recorder).frame(self.mission.frame())?;
+        Ok(stopped)
+    }
+
+    /// The mission.
+    pub fn mission(&self) -> &M {
+        &self.mission
+    }
+
+    /// The mission, to look or to steer: a tick that passes by other ways than [`UnderWay::tick`] and [`UnderWay::act`] is seen
+    /// by nobody.
+    pub fn mission_mut(&mut self) -> &mut M {
+        &mut self.mission
+    }
+
+    /// Its seed.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// What it has come to so far.
+    pub fn summary(&self) -> M::Summary {
+        self.metrics.sum_up(self.seed, self.digest.hex())
+    }
+
+    fn sum_up(self) -> (M::Summary, M::Metrics) {
+        (self.summary(), self.metrics)
     }
 }

@@ -16,7 +16,7 @@ pub use explain::{Explanation, Stage};
 pub use guard::{HeadGuard, Override, RelayGuard};
 pub use kalman::{KalmanParams, ScalarKalman};
 pub use link::{End, Gap, LinkEnd, LinkParams, Signal};
-pub use node::{Node, NodeParams, Role};
+pub use node::{Levelling, Node, NodeParams, Role};
 pub use seam::{
     BASE_ID, Brain, Command, Estimates, Follow, HEARD_MAX, Heard, LinkEstimate, Observation, Packet,
     PilotInput, RadioSlot, TOF_RANGE_M, Tof,

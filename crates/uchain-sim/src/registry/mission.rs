@@ -2,7 +2,7 @@
 
 use std::{any::Any, fmt::Debug, sync::Arc};
 
-use super::{AnyScene, scene::Laid};
+use super::AnyScene;
 #[cfg(feature = "sweep")]
 use crate::analyse::{Cell, Column};
 #[cfg(feature = "record")]
@@ -126,7 +126,7 @@ impl<S: Whole> AnyMission for Of<S> {
     ) -> Result<Arc<dyn AnyScene>, ConfigError> {
         let shared =
             shared.and_then(|shared| shared.downcast_ref::<S::Shared>()).cloned().unwrap_or_default();
-        S::lay(document, map, &shared, self.0).map(|scene| -> Arc<dyn AnyScene> { Arc::new(Laid(scene)) })
+        S::lay(document, map, &shared, self.0).map(<dyn AnyScene>::of)
     }
 
     fn takes(&self, document: &Document<'_>) -> bool {
@@ -168,7 +168,8 @@ pub struct Flown {
 }
 
 impl Flown {
-    pub(super) fn of<S: Whole>(summary: SummaryOf<S>) -> Self {
+    /// Of a run in a scene of a known mission.
+    pub fn of<S: Whole>(summary: SummaryOf<S>) -> Self {
         Self {
             verdict: summary.verdict().clone(),
             digest: summary.digest().to_owned(),

@@ -62,6 +62,13 @@ pub trait AnyScene: Debug + Send + Sync {
     fn as_any(&self) -> &(dyn Any + Send + Sync);
 }
 
+impl dyn AnyScene {
+    /// A scene of a known mission as one of whatever mission, such as a course with a law of one's own.
+    pub fn of<S: Whole>(scene: Arc<S>) -> Arc<Self> {
+        Arc::new(Laid(scene))
+    }
+}
+
 impl dyn AnyScene + '_ {
     /// The scene itself, if it is of this kind.
     pub fn get<S: Scene>(&self) -> Option<&Arc<S>> {

@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use uchain_core::chain::{
-    BASE_ID, Command, End, Explanation, HEARD_MAX, Heard, LinkEnd, Observation, Packet,
+    BASE_ID, Command, End, Explanation, HEARD_MAX, Heard, LinkEnd, Observation, Packet, equalize,
 };
 
 use crate::{
     clock::time_s,
-    mission::chain::{Course, Law, LinkFrame, Members, Scenario, Silence},
+    mission::chain::{Asked, Course, Law, Leveller, LinkFrame, Members, Scenario, Silence},
     radio::{Antenna, Channel, Link, Side, channel},
     seed::Seed,
     world::World,
@@ -28,6 +28,16 @@ pub(super) struct Brains<B> {
     fails_s: Vec<Option<f64>>,
     /// The flying chain's links at the last exchange: UAV at the front end, true loss (dB).
     links: Vec<(usize, f32)>,
+    /// Who levels the relays; `None`: they themselves.
+    leveller: Option<Box<dyn Leveller>>,
+    /// Whether the leveller has broken the run off.
+    pub(super) is_broken_off: bool,
+    /// Whether the first half of this tick's decisions has been made.
+    is_prepared: bool,
+    /// Who asked for a speed in that half.
+    asked: Vec<Asked>,
+    /// Room for what they get.
+    level_mps: Vec<f32>,
 }
 
 /// The radio of a run.
@@ -61,6 +71,11 @@ impl<B: Law> Brains<B> {
             said: Vec::with_capacity(count),
             fails_s,
             links: Vec::with_capacity(count),
+            leveller: None,
+            is_broken_off: false,
+            is_prepared: false,
+            asked: Vec::with_capacity(count),
+            level_mps: Vec::with_capacity(count),
             course,
         };
         brains.reset(seed);
@@ -77,6 +92,8 @@ impl<B: Law> Brains<B> {
         self.base = LinkEnd::new(End::Rear);
         self.said.clear();
         self.links.clear();
+        self.leveller = course.leveller.as_ref().map(|own| own.make(course));
+        (self.is_broken_off, self.is_prepared) = (false, false);
     }
 
     /// Whether a UAV has failed by now.
@@ -160,11 +177,77 @@ impl<B: Law> Brains<B> {
         self.base.hear(at_base.as_ref(), None, equalize.decision_s, kalman, link);
     }
 
+    /// A new instant has come: what was prepared of the last one is void.
+    pub(super) fn forget(&mut self) {
+        self.is_prepared = false;
+    }
+
     /// Every brain sees the same instant and asks; a dead one asks for nothing any more.
     pub(super) fn decide(&mut self, tick: u64, seen: &[Observation], commands: &mut Vec<Command>) {
+        if self.leveller.is_some() || self.is_prepared {
+            self.decide_in_halves(tick, seen, commands);
+            return;
+        }
         commands.resize(self.nodes.len(), Command::default());
         for (i, (command, seen)) in commands.iter_mut().zip(seen).enumerate() {
             *command = if self.has_failed(i, tick) { Command::default() } else { self.nodes[i].decide(seen) };
+        }
+    }
+
+    /// The same, with whoever levels asked in between.
+    fn decide_in_halves(&mut self, tick: u64, seen: &[Observation], commands: &mut Vec<Command>) {
+        self.prepare(tick, seen);
+        let mut level_mps = std::mem::take(&mut self.level_mps);
+        level_mps.clear();
+        level_mps.resize(self.asked.len(), 0.0);
+        match &mut self.leveller {
+            Some(leveller) if !self.asked.is_empty() => {
+                self.is_broken_off |= leveller.level(tick, &self.asked, &mut level_mps).is_break();
+            }
+            Some(_) => {}
+            None => {
+                let params = &self.course.scenario.equalize;
+                for (level_mps, Asked { levelling, .. }) in level_mps.iter_mut().zip(&self.asked) {
+                    *level_mps = equalize(levelling.back_db, levelling.front_db, params);
+                }
+            }
+        }
+        self.conclude(tick, seen, &level_mps, commands);
+        self.level_mps = level_mps;
+    }
+
+    /// The first half of all decisions of an instant, made once: who asks for a speed.
+    pub(super) fn prepare(&mut self, tick: u64, seen: &[Observation]) -> &[Asked] {
+        if !std::mem::replace(&mut self.is_prepared, true) {
+            self.asked.clear();
+            for (uav, seen) in seen.iter().enumerate() {
+                if !self.has_failed(uav, tick)
+                    && let Some(levelling) = self.nodes[uav].prepare(seen)
+                {
+                    self.asked.push(Asked { uav, levelling });
+                }
+            }
+        }
+        &self.asked
+    }
+
+    /// The second half: speeds for those that asked, in their order.
+    pub(super) fn conclude(
+        &mut self,
+        tick: u64,
+        seen: &[Observation],
+        level_mps: &[f32],
+        commands: &mut Vec<Command>,
+    ) {
+        self.prepare(tick, seen);
+        self.is_prepared = false;
+        commands.resize(self.nodes.len(), Command::default());
+        let mut speeds = self.asked.iter().zip(level_mps).peekable();
+        for (uav, (command, seen)) in commands.iter_mut().zip(seen).enumerate() {
+            let own_mps =
+                speeds.next_if(|(asked, _)| asked.uav == uav).map_or(0.0, |(_, level_mps)| *level_mps);
+            let has_failed = self.fails_s.get(uav).copied().flatten().is_some_and(|s| s <= time_s(tick));
+            *command = if has_failed { Command::default() } else { self.nodes[uav].conclude(seen, own_mps) };
         }
     }
 

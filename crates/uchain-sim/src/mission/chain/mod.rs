@@ -3,6 +3,7 @@
 mod brains;
 mod config;
 mod extensions;
+mod flight;
 mod frame;
 mod law;
 #[cfg(feature = "record")]
@@ -25,7 +26,7 @@ use uchain_core::{
 
 use super::{Mission, Stopped};
 use crate::{
-    clock::{period_ticks, total_ticks},
+    clock::{period_ticks, time_s, total_ticks},
     map::Trail,
     record::{RecordError, Recorder},
     seed::{Seed, Source},
@@ -36,9 +37,10 @@ use crate::{
 use brains::Brains;
 pub use config::{ChainConfig, PilotStep, Scenario, UAVS_MAX};
 pub use extensions::{ChainExtensions, MakeBrain};
+pub use flight::Flight;
 pub(crate) use frame::spread_db;
 pub use frame::{Frame, HeadFrame, History, LinkFrame, Moment, Silence, UavFrame};
-pub use law::{AnyBrain, Law, OwnLaw};
+pub use law::{AnyBrain, Asked, Law, Leveller, OwnLaw, OwnLeveller};
 #[cfg(feature = "record")]
 pub use mcap::{ChainTopics, McapRecorder};
 pub use members::{Member, MemberError, Members};
@@ -161,6 +163,10 @@ impl<B: Law> Mission for ChainOf<B> {
     fn commands(&mut self) -> &mut Vec<Command> {
         &mut self.commands
     }
+
+    fn step(&mut self, out: &mut impl Recorder<Frame>) -> Result<Option<Stopped>, RecordError> {
+        Self::step(self, out)
+    }
 }
 
 #[cfg(feature = "oracles")]
@@ -232,15 +238,38 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
     /// One tick, as [`Mission::step`] has it, with whatever rays.
     ///
     /// # Errors
-    /// Only the recorder's own.
+    /// The recorder's own, and [`RecordError::Interrupted`] from a [`Leveller`] that breaks off.
     pub fn step(&mut self, out: &mut impl Recorder<Frame>) -> Result<Option<Stopped>, RecordError> {
         let mut commands = std::mem::take(&mut self.commands);
         self.look();
         self.brains.decide(self.tick, &self.seen, &mut commands);
+        if self.brains.is_broken_off {
+            return Err(RecordError::Interrupted { time_s: time_s(self.tick) });
+        }
         let stopped = self.fly(&commands);
         self.commands = commands;
         out.frame(&self.frame)?;
         Ok(stopped)
+    }
+
+    /// Ticks since the start.
+    pub fn tick(&self) -> u64 {
+        self.tick
+    }
+
+    /// The first half of all decisions of this instant: the relays that ask for the speed that levels their links, by id.
+    /// Brains that decide as a whole ask for nothing. However often it is called, an instant is prepared once; for
+    /// [`ChainOf::conclude`], or [`Mission::decide`], which asks whoever levels.
+    pub fn prepare(&mut self) -> &[Asked] {
+        self.look();
+        self.brains.prepare(self.tick, &self.seen)
+    }
+
+    /// The second half: commands for [`Mission::act`], with forward speeds for those that asked (m/s), in their order. Who
+    /// gets none has 0.
+    pub fn conclude(&mut self, level_mps: &[f32], commands: &mut Vec<Command>) {
+        self.look();
+        self.brains.conclude(self.tick, &self.seen, level_mps, commands);
     }
 
     /// Who is in the chain.
@@ -278,7 +307,7 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
     }
 
     /// Whether radio and laws run at this tick.
-    fn is_decision(&self) -> bool {
+    pub(super) fn is_decision(&self) -> bool {
         self.tick.is_multiple_of(self.decision_ticks)
     }
 
@@ -287,6 +316,7 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
         if std::mem::replace(&mut self.has_sensed, true) {
             return;
         }
+        self.brains.forget();
         let decision = self.is_decision();
         self.brains.fail(self.tick, &mut self.world);
         let pilot = self.steering.look(&self.course.scenario.pilot, self.tick);

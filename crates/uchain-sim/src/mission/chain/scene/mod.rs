@@ -11,7 +11,7 @@ use glam::Vec2;
 use uchain_core::chain::{Brain, NodeParams};
 
 use super::{
-    Chain, ChainExtensions, OwnLaw, Scenario,
+    Chain, ChainExtensions, Leveller, OwnLaw, OwnLeveller, Scenario,
     config::{KEYS, KNOWN, thresholds, values},
 };
 use crate::{
@@ -58,6 +58,9 @@ pub struct Course {
     pub rays: Arc<GridRays>,
     /// Whose law all UAVs fly by; `None`: the built-in node's.
     pub law: Option<OwnLaw>,
+    /// Who levels the links of the built-in node's relays; `None`: they themselves, by
+    /// [`equalize`](uchain_core::chain::equalize).
+    pub leveller: Option<OwnLeveller>,
     /// Drawn by the first [`Course::optimum`], shared by all runs.
     pub(crate) table: OnceLock<Arc<BottleneckTable>>,
     /// Tables shared with other courses.
@@ -144,7 +147,20 @@ impl Course {
         let rays = Arc::new(GridRays::new(&map, scenario.tof.range_m));
         let (table, tables) = (OnceLock::new(), tables.clone());
         let map = Arc::new(map);
-        Ok(Self { scenario, map, from_base, base, tunnel, spawns, radio, rays, law, table, tables })
+        Ok(Self {
+            scenario,
+            map,
+            from_base,
+            base,
+            tunnel,
+            spawns,
+            radio,
+            rays,
+            law,
+            leveller: None,
+            table,
+            tables,
+        })
     }
 
     /// The same scenario, flown by a law of one's own: `make` makes the brain of a UAV, of its id and of what the scenario
@@ -175,6 +191,49 @@ impl Course {
         let mut course = self.clone();
         course.scenario.chain.brain = Some(name.to_owned());
         course.law = Some(OwnLaw::new(make));
+        Arc::new(course)
+    }
+
+    /// The same scenario, its built-in relays levelled by whoever `make` makes for each run. `name` is what the scenario says
+    /// from now on (`chain.brain`).
+    ///
+    /// ```
+    /// use std::ops::ControlFlow;
+    /// use uchain_libm as _; // the same bits on every system
+    /// use uchain_core::chain::{EqualizeParams, equalize};
+    /// use uchain_sim::{
+    ///     config::builtin,
+    ///     mission::chain::{Asked, Course, Leveller},
+    ///     run::run,
+    /// };
+    /// /// Eq. 12, with a gain of its own.
+    /// #[derive(Debug)]
+    /// struct Gain(EqualizeParams);
+    /// impl Leveller for Gain {
+    ///     fn level(&mut self, _: u64, asked: &[Asked], level_mps: &mut [f32]) -> ControlFlow<()> {
+    ///         for (level_mps, Asked { levelling, .. }) in level_mps.iter_mut().zip(asked) {
+    ///             *level_mps = equalize(levelling.back_db, levelling.front_db, &self.0);
+    ///         }
+    ///         ControlFlow::Continue(())
+    ///     }
+    /// }
+    /// let course = Course::read(&builtin("straight").unwrap(), &["duration_s=90".into()]).unwrap();
+    /// let digest = |course| run(course, 1, &mut ()).unwrap().digest;
+    /// let same = course.with_leveller("eq-12", |course| Gain(course.scenario.equalize.clone()));
+    /// assert_eq!(digest(&same), digest(&course));
+    /// let other =
+    ///     course.with_leveller("soft", |_| Gain(EqualizeParams { k_db_per_m: 40.0, ..EqualizeParams::default() }));
+    /// assert_ne!(digest(&other), digest(&course));
+    /// ```
+    #[must_use]
+    pub fn with_leveller<L: Leveller + 'static>(
+        &self,
+        name: &str,
+        make: impl Fn(&Self) -> L + Send + Sync + 'static,
+    ) -> Arc<Self> {
+        let mut course = self.clone();
+        course.scenario.chain.brain = Some(name.to_owned());
+        course.leveller = Some(OwnLeveller::new(make));
         Arc::new(course)
     }
 

@@ -1,11 +1,18 @@
 //! A UAV of the chain: waits, takes off, and flies by the laws (Laclau 2021, Algorithm 1 and §4.3).
 
+mod brain;
+mod levelling;
+#[cfg(test)]
+mod tests;
+
 use super::{
-    Brain, CenterParams, Centering, Command, End, EqualizeParams, Estimates, Explanation, Follow, HeadGuard,
-    KalmanParams, LinkEnd, LinkEstimate, LinkParams, Observation, Packet, RadioSlot, RelayGuard, Signal,
-    Stage, TOF_RANGE_M, Takeoff, TakeoffParams, center, center::walls_of, equalize,
+    CenterParams, Centering, Command, End, EqualizeParams, Follow, HeadGuard, KalmanParams, LinkEnd,
+    LinkEstimate, LinkParams, Observation, Packet, RadioSlot, RelayGuard, Signal, TOF_RANGE_M, Takeoff,
+    TakeoffParams, center,
 };
 use crate::bounded;
+
+pub use levelling::Levelling;
 
 /// What a node does in the chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,6 +56,9 @@ impl Default for NodeParams {
 /// The brain of one UAV. Whoever has place 0 of the chain is its head: what a node was made as holds until it is told its
 /// place ([`Observation::place`]). A relay that was told none yet believes to be the last one before the base.
 ///
+/// [`Brain::decide`](super::Brain::decide) is a decision as a whole. A law of one's own that levels the two links otherwise than [`equalize`](super::equalize), and
+/// leaves all else to the node, decides in halves: [`Node::prepare`], and [`Node::conclude`] with a speed from elsewhere.
+///
 /// ```
 /// use uchain_core::chain::{Brain, Node, NodeParams, Observation, PilotInput, RadioSlot, Role};
 /// let mut head = Node::new(Role::Head, NodeParams::default());
@@ -70,6 +80,10 @@ pub struct Node {
     head_guard: HeadGuard,
     relay_guard: RelayGuard,
     centering: Centering,
+    /// Whether a relay's speed is still to come: [`Node::conclude`] brings it.
+    is_asking: bool,
+    /// What a relay's law wished the last time.
+    wish_mps: f32,
     forward_mps: f32,
     follow: Follow,
     /// The largest imbalance from here to the head (dB).
@@ -104,6 +118,8 @@ impl Node {
             head_guard: HeadGuard::default(),
             relay_guard: RelayGuard::default(),
             centering: Centering::default(),
+            is_asking: false,
+            wish_mps: 0.0,
             forward_mps: 0.0,
             follow: Follow::Centre,
             worst_imbalance_db: 0.0,
@@ -143,14 +159,71 @@ impl Node {
         };
     }
 
-    /// One decision period in the air: filter both links, then choose a forward speed.
-    fn fly(&mut self, radio: &RadioSlot, seen: &Observation) {
+    /// The first half of a decision: places, links and take-off as of now. It gives what a relay levels its two links by;
+    /// `None` where nothing is to be levelled: on the ground, by the head, between decisions, and until both links have been
+    /// heard. [`Node::conclude`] is the second half.
+    ///
+    /// ```
+    /// use uchain_core::chain::{
+    ///     BASE_ID, Brain, Command, Heard, Node, NodeParams, Observation, Packet, Role, equalize,
+    /// };
+    /// let params = NodeParams::default();
+    /// let mut whole = Node::new(Role::Relay, params.clone());
+    /// let mut halves = whole.clone();
+    /// for decision in 0..50 {
+    ///     let ahead = Packet { flown_s: 60.0, ..Packet::default() };
+    ///     let heard = [
+    ///         Heard { from: 0, loss_db: 60.0 + decision as f32 * 0.1, packet: ahead },
+    ///         Heard { from: BASE_ID, loss_db: 58.0, packet: Packet::BASE },
+    ///     ];
+    ///     let seen =
+    ///         Observation { place: Some(1), radio: Some(heard.into_iter().collect()), ..Observation::default() };
+    ///     let level_mps = match halves.prepare(&seen) {
+    ///         Some(asked) => equalize(asked.back_db, asked.front_db, &params.equalize), // or a law of one's own
+    ///         None => 0.0,
+    ///     };
+    ///     assert_eq!(halves.conclude(&seen, level_mps), whole.decide(&seen));
+    /// }
+    /// ```
+    pub fn prepare(&mut self, seen: &Observation) -> Option<Levelling> {
+        if let Some(place) = seen.place {
+            self.place = place;
+        }
+        self.is_asking = false;
+        if let Some(radio) = &seen.radio {
+            if self.airborne {
+                return self.listen(radio, seen);
+            }
+            self.wait(radio);
+        }
+        None
+    }
+
+    /// The second half of a decision on what [`Node::prepare`] saw: overrides and bounds, then centering. `level_mps` is the
+    /// forward speed that levels the two links (m/s): if none was asked for it is passed over, and what is not finite is 0.
+    pub fn conclude(&mut self, seen: &Observation, level_mps: f32) -> Command {
+        let p = &self.params;
+        if core::mem::take(&mut self.is_asking) {
+            self.wish_mps = if level_mps.is_finite() { level_mps } else { 0.0 };
+            let allowed_mps = self.relay_guard.limit(self.wish_mps, &self.back, &self.front, &p.link);
+            self.forward_mps = bounded(allowed_mps, -p.equalize.v_max_mps, p.equalize.v_max_mps);
+        }
+        if let Some(tof) = &seen.tof {
+            self.centering = center(tof, p.tof_range_m, self.forward_mps < 0.0, self.follow, &p.center);
+        }
+        self.command()
+    }
+
+    /// One decision period in the air: filters both links. The head has its speed then; a relay that has heard both links
+    /// asks for one, until then it stays.
+    fn listen(&mut self, radio: &RadioSlot, seen: &Observation) -> Option<Levelling> {
         let p = &self.params;
         let period_s = p.equalize.decision_s;
         let own_mps = seen.ground_speed_mps.filter(|speed_mps| speed_mps.is_finite()).unwrap_or(0.0);
         self.back.hear(radio.back(self.place), Some(own_mps), period_s, &p.kalman, &p.link);
         self.front.hear(radio.front(self.place), Some(own_mps), period_s, &p.kalman, &p.link);
         self.flown = self.flown.saturating_add(1);
+        let both_db = self.both_db();
         let wish_mps = match self.role() {
             Role::Head => {
                 self.follow = seen.pilot.unwrap_or_default().follow;
@@ -159,12 +232,26 @@ impl Node {
             Role::Relay => {
                 let ahead = self.front.neighbour();
                 self.follow = ahead.follow;
-                let own_db = self.imbalance_db().map_or(0.0, f32::abs);
+                let own_db = both_db.map_or(0.0, |(back_db, front_db)| (front_db - back_db).abs());
                 self.worst_imbalance_db = own_db.max(ahead.imbalance_db);
-                self.relay_guard.limit(self.level_mps(), &self.back, &self.front, &p.link)
+                if let Some((back_db, front_db)) = both_db {
+                    self.is_asking = true;
+                    return Some(Levelling {
+                        back_db,
+                        front_db,
+                        back: estimate(&self.back),
+                        front: estimate(&self.front),
+                        place: self.place,
+                        ground_speed_mps: seen.ground_speed_mps,
+                        tof: seen.tof,
+                    });
+                }
+                self.wish_mps = 0.0;
+                self.relay_guard.limit(0.0, &self.back, &self.front, &p.link)
             }
         };
         self.forward_mps = bounded(wish_mps, -p.equalize.v_max_mps, p.equalize.v_max_mps);
+        None
     }
 
     /// Losses of its two links by the signal it decides on, the one toward the base first (dB); `None` until it has heard
@@ -179,11 +266,6 @@ impl Node {
         self.both_db().map(|(back_db, front_db)| front_db - back_db)
     }
 
-    /// What levels its two links (m/s); it stays until it has heard both.
-    fn level_mps(&self) -> f32 {
-        self.both_db().map_or(0.0, |(back_db, front_db)| equalize(back_db, front_db, &self.params.equalize))
-    }
-
     fn command(&self) -> Command {
         if !self.has_settled() {
             return Command { airborne: self.airborne, ..Command::default() };
@@ -195,75 +277,5 @@ impl Node {
             yaw_rate_radps: c.yaw_rate_radps,
             airborne: true,
         }
-    }
-}
-
-impl Brain for Node {
-    fn decide(&mut self, seen: &Observation) -> Command {
-        if let Some(place) = seen.place {
-            self.place = place;
-        }
-        if let Some(radio) = &seen.radio {
-            if self.airborne {
-                self.fly(radio, seen);
-            } else {
-                self.wait(radio);
-            }
-        }
-        if let Some(tof) = &seen.tof {
-            let p = &self.params;
-            self.centering = center(tof, p.tof_range_m, self.forward_mps < 0.0, self.follow, &p.center);
-        }
-        self.command()
-    }
-
-    fn say(&self, seen: &Observation) -> Packet {
-        Packet {
-            place: seen.place.unwrap_or(self.place),
-            ground_speed_mps: seen.ground_speed_mps.unwrap_or(0.0),
-            flown_s: self.flown_s(),
-            follow: self.follow,
-            imbalance_db: self.worst_imbalance_db,
-            is_base: false,
-            battery: seen.battery,
-            own: [0; 8],
-        }
-    }
-
-    fn estimates(&self) -> Estimates {
-        Estimates {
-            back: estimate(&self.back),
-            front: estimate(&self.front),
-            allowed_mps: self.has_settled().then_some(self.forward_mps),
-        }
-    }
-
-    fn explain(&self, seen: &Observation) -> Option<Explanation> {
-        let p = &self.params;
-        let (wish_mps, reason) = match self.role() {
-            Role::Head => (piloted_mps(seen), self.head_guard.reason(&self.back, &p.link)),
-            Role::Relay => (self.level_mps(), self.relay_guard.reason(&self.back, &self.front, &p.link)),
-        };
-        let is_flying = self.has_settled();
-        let wish_mps = bounded(wish_mps, -p.equalize.v_max_mps, p.equalize.v_max_mps);
-        Some(Explanation {
-            role: self.role(),
-            place: (self.place != Self::LAST).then_some(self.place),
-            stage: match (self.airborne, is_flying) {
-                (false, _) => Stage::Waiting,
-                (true, false) => Stage::Rising,
-                (true, true) => Stage::Flying,
-            },
-            estimates: self.estimates(),
-            imbalance_db: self.imbalance_db(),
-            wish_mps,
-            // A head whose pilot asks for no more than it is allowed is overridden by nothing.
-            overridden: reason.filter(|_| is_flying && self.forward_mps != wish_mps),
-            follow: self.follow,
-            walls: seen.tof.and_then(|tof| {
-                walls_of(&tof, p.tof_range_m, self.forward_mps < 0.0, self.follow, &p.center)
-            }),
-            speed_share: self.centering.speed_share,
-        })
     }
 }
