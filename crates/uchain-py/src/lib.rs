@@ -42,11 +42,11 @@ pub fn fill(module: &Bound<'_, PyModule>, missions: Registry) -> PyResult<()> {
     laws::fill(module)
 }
 
-/// The package that shows a module.
+/// The package that shows a module: itself, if it is in none.
 fn package(module: &Bound<'_, PyModule>) -> PyResult<String> {
     let name = module.name()?;
     let name = name.to_str()?;
-    Ok(name.strip_suffix("._uchain").unwrap_or(name).to_owned())
+    Ok(name.rsplit_once('.').map_or(name, |(package, _)| package).to_owned())
 }
 
 /// Classes are found by the name of what shows them, so that instances can be pickled.
