@@ -14,6 +14,7 @@
 
 pub mod chain;
 pub mod explore;
+mod logbook;
 mod shown;
 
 #[cfg(feature = "record")]
@@ -30,6 +31,7 @@ use crate::{
     record::{RecordError, Recorder, Snapshot},
 };
 
+pub use logbook::{EVENTS_MAX, Graph, Keep, Log, Logbook};
 pub use shown::{History, Shown, Timeline, thinned};
 
 #[cfg(feature = "record")]

@@ -1,16 +1,15 @@
 //! What people see of a mission: words, tables and pictures.
 
-#[cfg(feature = "draw")]
 use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::Mission;
+use super::{Graph, Keep, Logbook, Mission};
 #[cfg(feature = "sweep")]
 use crate::analyse::Field;
 #[cfg(feature = "draw")]
 use crate::draw::DrawError;
-use crate::record::Recorder;
+use crate::record::{RecordError, Recorder};
 
 /// A mission that people can look at: what the command line and reports need of it.
 pub trait Shown: Mission {
@@ -29,6 +28,23 @@ pub trait Shown: Mission {
     /// The numbers of a summary that stand in the table of a sweep, under the names of `summary.json`.
     #[cfg(feature = "sweep")]
     fn columns() -> &'static [Field<Self::Summary>];
+
+    /// Keeps the numbers of a run in this scene over time, and what happens in it, for programs; `None` of a mission that
+    /// keeps nothing. The frames are those that are asked for, if any.
+    ///
+    /// # Errors
+    /// [`RecordError::TooMuch`]: they would take too much memory.
+    fn logbook(
+        _scene: &Arc<Self::Scene>,
+        _frames: Option<Keep>,
+    ) -> Result<Option<Box<dyn Logbook<Self>>>, RecordError> {
+        Ok(None)
+    }
+
+    /// The graph that was made of what was found; `None` of a mission that makes none.
+    fn graph(_history: &Self::History) -> Option<Graph> {
+        None
+    }
 
     /// One run on one page, as a PNG.
     ///

@@ -1,14 +1,17 @@
 //! Who is shown the frames of a run, and what may stop it; and where what a recording says of them goes.
 
 mod compare;
+mod event;
 #[cfg(feature = "record")]
 pub mod mcap;
 #[cfg(feature = "record")]
 mod sink;
+pub mod table;
 
 use std::fmt::Debug;
 
 pub use compare::{Comparison, Difference, FieldDiff, Value, Whose};
+pub use event::{Event, Gravity};
 #[cfg(feature = "record")]
 pub use sink::{Channel, Messages, Said, Schema, Sink};
 
@@ -55,6 +58,16 @@ pub enum RecordError {
     /// The recording cannot be written.
     #[error("cannot write the recording: {0}")]
     Io(#[from] std::io::Error),
+    /// A table would take too much memory.
+    #[error("the run's {name} would take {gib:.1} GiB of memory, more than {most_gib:.0}")]
+    TooMuch {
+        /// The table's name.
+        name: &'static str,
+        /// What it would take (GiB).
+        gib: f64,
+        /// Most that it may take (GiB).
+        most_gib: f64,
+    },
 }
 
 /// Nobody listens.

@@ -3,6 +3,8 @@
 
 #[cfg(all(feature = "record", feature = "draw"))]
 mod flight;
+#[cfg(all(feature = "record", feature = "draw"))]
+mod kept;
 #[cfg(feature = "sweep")]
 mod keys;
 mod mission;
@@ -24,6 +26,8 @@ use crate::{
 
 #[cfg(all(feature = "record", feature = "draw"))]
 pub use flight::{Flight, FlightError};
+#[cfg(all(feature = "record", feature = "draw"))]
+pub use kept::Kept;
 #[cfg(feature = "sweep")]
 pub(crate) use keys::ValueKind;
 pub use mission::{AnyMission, Flown, Of, Whole};

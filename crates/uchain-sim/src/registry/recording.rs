@@ -10,11 +10,14 @@ use std::{
 
 use serde::Serialize;
 
-use super::{FlightError, Registry, flight::Report, mission::Whole};
+use super::{
+    AnyScene, FlightError, Kept, Registry, Watch, flight::Report, kept::keep_recorded, mission::Whole,
+    scene::Laid,
+};
 use crate::{
     clock::total_ticks,
     config::Document,
-    mission::{History as _, Shown, Timeline},
+    mission::{History as _, Keep, Shown, Timeline},
     record::{
         Comparison,
         mcap::{About, End, Opened, PlayError, ReadError},
@@ -44,6 +47,18 @@ pub trait AnyRecording {
     /// # Errors
     /// [`PlayError`].
     fn inspect(&mut self) -> Result<Box<dyn Inspection>, PlayError>;
+
+    /// Plays it to its end and keeps all that a program may ask for, the frames that are asked for among it.
+    ///
+    /// # Errors
+    /// [`PlayError`], that of an interruption if `watch` says so.
+    fn keep(&mut self, frames: Option<Keep>, watch: &mut dyn Watch) -> Result<Box<dyn Kept>, PlayError>;
+
+    /// The scene it was flown in, in the walls that were recorded.
+    ///
+    /// # Errors
+    /// [`ReadError::Scenario`]: this version cannot fly it.
+    fn any_scene(&mut self) -> Result<Arc<dyn AnyScene>, ReadError>;
 
     /// Flies it again: see [`verify`](crate::replay::verify).
     ///
@@ -136,6 +151,14 @@ impl<S: Whole> AnyRecording for Recording<Input, S> {
             version: self.about.version.clone(),
             scene,
         }))
+    }
+
+    fn keep(&mut self, frames: Option<Keep>, watch: &mut dyn Watch) -> Result<Box<dyn Kept>, PlayError> {
+        keep_recorded(self, frames, watch)
+    }
+
+    fn any_scene(&mut self) -> Result<Arc<dyn AnyScene>, ReadError> {
+        Ok(Arc::new(Laid(self.scene()?)))
     }
 
     fn verify(&mut self) -> Result<Verdict, ReadError> {

@@ -6,6 +6,8 @@ use super::{
     Flown, Whole,
     watch::{Watch, Watched},
 };
+#[cfg(all(feature = "record", feature = "draw"))]
+use crate::mission::Keep;
 use crate::{
     map::Map,
     mission::{Scene, Shown},
@@ -58,6 +60,20 @@ pub trait AnyScene: Debug + Send + Sync {
         seed: u64,
         recording: Option<Output<'static>>,
     ) -> Result<Box<dyn super::Flight>, RecordError>;
+    /// Flies and keeps all that a program may ask for, the frames that are asked for among it. A recording is ended with its
+    /// index; one that could not be ended is no whole file.
+    ///
+    /// # Errors
+    /// [`RecordError::Interrupted`] if `watch` says so; the recording cannot be written; the frames would take too much
+    /// memory, which is said before the first tick.
+    #[cfg(all(feature = "record", feature = "draw"))]
+    fn keep(
+        &self,
+        seed: u64,
+        frames: Option<Keep>,
+        recording: Option<Output<'_>>,
+        watch: &mut dyn Watch,
+    ) -> Result<Box<dyn super::Kept>, RecordError>;
     /// The scene itself, an `Arc<S>`.
     fn as_any(&self) -> &(dyn Any + Send + Sync);
 }
@@ -176,6 +192,17 @@ impl<S: Whole> AnyScene for Laid<S> {
         recording: Option<Output<'static>>,
     ) -> Result<Box<dyn super::Flight>, RecordError> {
         super::flight::prepare(self.0.clone(), seed, recording)
+    }
+
+    #[cfg(all(feature = "record", feature = "draw"))]
+    fn keep(
+        &self,
+        seed: u64,
+        frames: Option<Keep>,
+        recording: Option<Output<'_>>,
+        watch: &mut dyn Watch,
+    ) -> Result<Box<dyn super::Kept>, RecordError> {
+        super::kept::keep(&self.0, seed, frames, recording, watch)
     }
 
     fn as_any(&self) -> &(dyn Any + Send + Sync) {

@@ -2,10 +2,12 @@
 
 mod brains;
 mod config;
+mod events;
 mod extensions;
 mod flight;
 mod frame;
 mod law;
+mod logbook;
 #[cfg(feature = "record")]
 mod mcap;
 mod members;

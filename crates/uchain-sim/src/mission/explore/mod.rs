@@ -4,9 +4,11 @@
 //! [`TeamConfig::scan_s`]. In between they fly.
 
 mod config;
+mod events;
 mod extensions;
 mod frame;
 mod ground;
+mod logbook;
 #[cfg(feature = "record")]
 mod mcap;
 mod metrics;

@@ -1,14 +1,15 @@
 //! What recordings of all missions show alike, in Foxglove's messages: the frame of the map, time, walls, bodies.
 
 use foxglove::messages::{
-    ArrowPrimitive, Color, CubePrimitive, CylinderPrimitive, FrameTransform, LinePrimitive, Point3, Pose,
-    Quaternion, SceneEntity, SceneUpdate, Timestamp, Vector3, line_primitive::Type,
+    ArrowPrimitive, Color, CubePrimitive, CylinderPrimitive, FrameTransform, LinePrimitive, Log, Point3,
+    Pose, Quaternion, SceneEntity, SceneUpdate, Timestamp, Vector3, line_primitive::Type, log::Level,
 };
 use glam::Vec2;
 
 use crate::{
     clock::{TICK_NS, TICKS_PER_S},
     map::{Map, Segment},
+    record::{Event, Gravity},
 };
 
 /// The frame all places are in.
@@ -18,6 +19,23 @@ pub const MAP: &str = "map";
 pub fn time(tick: u64) -> Timestamp {
     let (seconds, rest) = (tick / TICKS_PER_S as u64, tick % TICKS_PER_S as u64);
     Timestamp::new_checked(seconds as u32, (rest * TICK_NS) as u32).unwrap_or(Timestamp::MIN)
+}
+
+/// What happened, by the name of the frame of whom it happened to.
+pub fn log(event: &Event, name: String) -> Log {
+    let level = match event.gravity {
+        Gravity::Info => Level::Info,
+        Gravity::Warning => Level::Warning,
+        Gravity::Error => Level::Error,
+    };
+    Log {
+        timestamp: Some(time(event.tick)),
+        level: level.into(),
+        message: event.text.clone(),
+        name,
+        file: String::new(),
+        line: 0,
+    }
 }
 
 /// A direction in the plane.

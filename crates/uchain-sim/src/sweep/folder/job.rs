@@ -198,6 +198,10 @@ impl Folder {
         match error {
             RecordError::Interrupted { .. } => FolderError::Interrupted,
             RecordError::Io(cause) => FolderError::io(&self.recording(run), "write")(cause),
+            // Runs of a sweep keep no tables; were it to come, it would be about the recording.
+            error @ RecordError::TooMuch { .. } => {
+                FolderError::io(&self.recording(run), "write")(std::io::Error::other(error))
+            }
         }
     }
 }

@@ -1,6 +1,5 @@
 //! Recordings of a chain.
 
-mod events;
 mod input;
 mod message;
 mod poses;
@@ -12,14 +11,13 @@ use foxglove::messages::{FrameTransforms, LaserScan, Log, PointCloud, PosesInFra
 use crate::{
     mission::{
         Recorded,
-        chain::{Chain, Course, Frame, Moment},
+        chain::{Chain, Course, Frame, Moment, events::Events},
     },
     record::{
         RecordError,
         mcap::{self, Channel, Out, SHOWN_TICKS, Topics, scene as shared},
     },
 };
-use events::Events;
 use message::MetricsMessage;
 use poses::{Poses, Transforms};
 use scans::Scans;
@@ -115,7 +113,8 @@ impl Topics for ChainTopics {
             self.show_bodies(frame, out)?;
         }
         for event in self.events.update(frame) {
-            out.send(self.channels.log, frame.tick, event)?;
+            let name = event.robot.map_or_else(String::new, poses::body);
+            out.send(self.channels.log, frame.tick, &shared::log(event, name))?;
         }
         Ok(())
     }

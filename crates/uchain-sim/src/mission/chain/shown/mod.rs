@@ -3,13 +3,15 @@
 mod history;
 mod words;
 
-#[cfg(feature = "draw")]
 use std::sync::Arc;
 
 use serde::Serialize;
 
 use super::{Chain, Course, Moment, Summary, Timeline};
-use crate::mission::{self, Shown};
+use crate::{
+    mission::{self, Keep, Logbook, Shown},
+    record::RecordError,
+};
 
 pub use history::ThinnedHistory;
 
@@ -25,6 +27,13 @@ impl Shown for Chain {
     #[cfg(feature = "sweep")]
     fn columns() -> &'static [crate::analyse::Field<Summary>] {
         &super::metrics::COLUMNS
+    }
+
+    fn logbook(
+        course: &Arc<Course>,
+        frames: Option<Keep>,
+    ) -> Result<Option<Box<dyn Logbook<Self>>>, RecordError> {
+        super::logbook::logbook(course, frames)
     }
 
     #[cfg(feature = "draw")]

@@ -1,6 +1,5 @@
 //! Writes a recording while robots explore.
 
-mod events;
 mod message;
 mod scene;
 
@@ -9,7 +8,7 @@ use foxglove::messages::{FrameTransform, FrameTransforms, Log, Pose, PosesInFram
 use crate::{
     mission::{
         Recorded,
-        explore::{Exploration, ExploreFrame, Odometer, Site},
+        explore::{Exploration, ExploreFrame, Odometer, Site, events::Events},
     },
     record::{
         RecordError,
@@ -19,7 +18,6 @@ use crate::{
         },
     },
 };
-use events::Events;
 use message::ExploreMetricsMessage;
 use scene::{Graph, Stars, Ways, robot_colour};
 
@@ -102,7 +100,8 @@ impl Topics for ExploreTopics {
             out.send(self.channels.poses, frame.tick, &poses(frame))?;
         }
         for event in self.events.update(frame) {
-            out.send(self.channels.log, frame.tick, event)?;
+            let name = event.robot.map_or_else(|| "exploration".to_owned(), body);
+            out.send(self.channels.log, frame.tick, &shared::log(event, name))?;
         }
         Ok(())
     }

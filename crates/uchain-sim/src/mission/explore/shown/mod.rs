@@ -2,13 +2,15 @@
 
 mod words;
 
-#[cfg(feature = "draw")]
 use std::sync::Arc;
 
 use serde::Serialize;
 
 use super::{Exploration, ExploreFrame, ExploreHistory, ExploreSummary, ExploreTimeline, Progress, Site};
-use crate::mission::{self, Shown};
+use crate::{
+    mission::{self, Graph, Keep, Logbook, Shown},
+    record::RecordError,
+};
 
 impl Shown for Exploration {
     type History = ExploreHistory;
@@ -25,6 +27,17 @@ impl Shown for Exploration {
     #[cfg(feature = "sweep")]
     fn columns() -> &'static [crate::analyse::Field<ExploreSummary>] {
         &super::metrics::COLUMNS
+    }
+
+    fn logbook(
+        site: &Arc<Site>,
+        frames: Option<Keep>,
+    ) -> Result<Option<Box<dyn Logbook<Self>>>, RecordError> {
+        super::logbook::logbook(site, frames)
+    }
+
+    fn graph(history: &ExploreHistory) -> Option<Graph> {
+        Some(super::logbook::graph(history))
     }
 
     #[cfg(feature = "draw")]

@@ -1,20 +1,18 @@
-//! What happened, in words.
+//! What happened in a chain, in words.
 
-use foxglove::messages::{Log, log::Level};
+use super::{Course, Frame, UavFrame};
+use crate::record::{Event, Gravity};
 
-use super::poses::body;
-use crate::mission::chain::{Course, Frame, UavFrame};
-use crate::record::mcap::scene::time;
-
-/// `/log`: tells from one frame to the next what has happened.
+/// Tells from one frame to the next what has happened.
+#[derive(Debug)]
 pub(super) struct Events {
     limit_db: f32,
     uavs: Vec<Known>,
-    said: Vec<Log>,
+    said: Vec<Event>,
 }
 
 /// What is known of a UAV.
-#[derive(Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 struct Known {
     airborne: bool,
     wall_contacts: u32,
@@ -30,7 +28,7 @@ impl Events {
     }
 
     /// What has happened since the last frame.
-    pub(super) fn update(&mut self, frame: &Frame) -> &[Log] {
+    pub(super) fn update(&mut self, frame: &Frame) -> &[Event] {
         self.said.clear();
         for (index, (uav, now)) in self.uavs.iter_mut().zip(&frame.uavs).enumerate() {
             uav.look(index, now, frame.tick, &mut self.said);
@@ -43,12 +41,16 @@ impl Events {
             let lost = link.true_db >= self.limit_db;
             if lost != uav.lost {
                 uav.lost = lost;
-                let (level, what) = if lost { (Level::Error, "lost") } else { (Level::Info, "found again") };
+                let (gravity, kind, what) = if lost {
+                    (Gravity::Error, "link-lost", "lost")
+                } else {
+                    (Gravity::Info, "link-found", "found again")
+                };
                 let words = format!(
                     "link toward the base {what}: {:.1} dB, reception ends at {} dB",
                     link.true_db, self.limit_db
                 );
-                self.said.push(log(frame.tick, link.uav, level, &words));
+                self.said.push(event(frame.tick, link.uav, gravity, kind, &words));
             }
         }
         &self.said
@@ -56,18 +58,18 @@ impl Events {
 }
 
 impl Known {
-    fn look(&mut self, index: usize, now: &UavFrame, tick: u64, said: &mut Vec<Log>) {
-        let mut say = |level, words: &str| said.push(log(tick, index, level, words));
+    fn look(&mut self, index: usize, now: &UavFrame, tick: u64, said: &mut Vec<Event>) {
+        let mut say = |gravity, kind, words: &str| said.push(event(tick, index, gravity, kind, words));
         match (self.airborne, now.airborne) {
-            (false, true) => say(Level::Info, "took off"),
-            (true, false) => say(Level::Error, "failed, and is out of the air"),
+            (false, true) => say(Gravity::Info, "took-off", "took off"),
+            (true, false) => say(Gravity::Error, "failed", "failed, and is out of the air"),
             _ => {}
         }
         if now.wall_contacts > self.wall_contacts {
-            say(Level::Warning, "touched a wall");
+            say(Gravity::Warning, "wall-contact", "touched a wall");
         }
         if now.uav_contacts > self.uav_contacts {
-            say(Level::Warning, "touched another UAV");
+            say(Gravity::Warning, "uav-contact", "touched another UAV");
         }
         self.airborne = now.airborne;
         (self.wall_contacts, self.uav_contacts) = (now.wall_contacts, now.uav_contacts);
@@ -77,14 +79,7 @@ impl Known {
     }
 }
 
-fn log(tick: u64, uav: usize, level: Level, words: &str) -> Log {
+fn event(tick: u64, uav: usize, gravity: Gravity, kind: &'static str, words: &str) -> Event {
     let name = if uav == 0 { "UAV 0, the head".to_owned() } else { format!("UAV {uav}") };
-    Log {
-        timestamp: Some(time(tick)),
-        level: level.into(),
-        message: format!("{name}: {words}"),
-        name: body(uav),
-        file: String::new(),
-        line: 0,
-    }
+    Event { tick, gravity, kind, robot: Some(uav), text: format!("{name}: {words}") }
 }
