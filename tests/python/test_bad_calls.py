@@ -105,10 +105,18 @@ VALUES = st.recursive(
 )
 
 
+def parts_of(run: uchain.Run) -> list[Any]:
+    """A run and all that it is made of."""
+    parts = [run, run.summary, run.frames, run.frames.tidy(), run.graph, run.plot(), *run.events[:1]]
+    return [part for part in parts if part is not None]
+
+
 def instances() -> list[Any]:
     """One of each thing that has methods."""
     found = [
         SHORT,
+        *parts_of(uchain.run(SHORT)),
+        *parts_of(uchain.run(ROOMS)),
         uchain.laws.ScalarKalman(50.0),
         uchain.laws.Node(),
         uchain.laws.Explorer(),
@@ -134,7 +142,8 @@ def callables() -> dict[str, Callable[..., Any]]:
             special = ("__getitem__", "__contains__", "__eq__", "__arrow_c_stream__", "__setstate__", "_unpickled")
             if name.startswith("_") and name not in special:
                 continue
-            method = getattr(thing, name)
+            # Some have what others have not.
+            method = getattr(thing, name, None)
             if callable(method):
                 found[f"{type(thing).__name__}().{name}"] = method
     return found

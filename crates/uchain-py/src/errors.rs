@@ -3,7 +3,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use pyo3::{create_exception, exceptions::PyException, prelude::*};
-use uchain_sim::config::ConfigError;
+use uchain_sim::{config::ConfigError, record::RecordError, registry::FlightError};
 
 create_exception!(
     uchain,
@@ -17,6 +17,29 @@ create_exception!(
     UchainError,
     "A scenario that cannot be flown: its text says file, line, key, what was expected and what to do."
 );
+
+create_exception!(
+    uchain,
+    RecordingError,
+    UchainError,
+    "A recording that cannot be read or written: its text says file, place and reason."
+);
+
+/// Of a run that was stopped by who was shown its frames.
+pub(crate) fn record(error: &RecordError) -> PyErr {
+    let remedy = match error {
+        RecordError::TooMuch { .. } => {
+            "; keep those of decisions, frames=\"decisions\", or none, frames=None"
+        }
+        _ => "",
+    };
+    UchainError::new_err(format!("{error}{remedy}"))
+}
+
+/// Of the results of a run.
+pub(crate) fn flight(error: &FlightError) -> PyErr {
+    UchainError::new_err(error.to_string())
+}
 
 /// Of a scenario.
 pub(crate) fn scenario(error: &ConfigError) -> PyErr {
@@ -39,5 +62,6 @@ pub(crate) fn caught<T>(work: impl FnOnce() -> T) -> PyResult<T> {
 pub(crate) fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let py = module.py();
     module.add("UchainError", py.get_type::<UchainError>())?;
-    module.add("ScenarioError", py.get_type::<ScenarioError>())
+    module.add("ScenarioError", py.get_type::<ScenarioError>())?;
+    module.add("RecordingError", py.get_type::<RecordingError>())
 }

@@ -10,6 +10,7 @@ use uchain_libm as _;
 mod command;
 mod errors;
 mod laws;
+mod run;
 mod scenario;
 mod value;
 mod work;
@@ -38,6 +39,7 @@ pub fn fill(module: &Bound<'_, PyModule>, missions: Registry) -> PyResult<()> {
     command::fill(module)?;
     errors::fill(module)?;
     scenario::fill(module)?;
+    run::fill(module)?;
     belongs(module, &package(module)?)?;
     laws::fill(module)
 }

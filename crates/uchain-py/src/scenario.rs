@@ -162,7 +162,7 @@ impl Scenario {
 
     /// What is flown, in a word: "chain", or "exploration".
     #[getter]
-    fn mission(&self) -> &str {
+    pub(crate) fn mission(&self) -> &str {
         let kind = self.scene.kind();
         kind.split_once(' ').map_or(kind, |(_, word)| word)
     }

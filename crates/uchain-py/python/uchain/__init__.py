@@ -5,13 +5,38 @@
 <uchain.Scenario corner: chain, 4 UAVs, 120 s>
 """
 
-from ._uchain import Scenario, ScenarioError, UchainError, __version__, main, scenarios
+from ._uchain import (
+    Columns,
+    Event,
+    Graph,
+    Picture,
+    RecordingError,
+    Run,
+    Scenario,
+    ScenarioError,
+    Summary,
+    Tidy,
+    UchainError,
+    __version__,
+    main,
+    run,
+    scenarios,
+)
 
 __all__ = [
+    "Columns",
+    "Event",
+    "Graph",
+    "Picture",
+    "RecordingError",
+    "Run",
     "Scenario",
     "ScenarioError",
+    "Summary",
+    "Tidy",
     "UchainError",
     "__version__",
     "main",
+    "run",
     "scenarios",
 ]
