@@ -15,7 +15,7 @@ use uchain_sim::{
         mcap::{About, PlayError, ReadError},
     },
     registry::FlightError,
-    sweep::{DesignError, folder::FolderError},
+    sweep::{DesignError, folder::FolderError, report::ReportError},
 };
 
 /// This version.
@@ -146,6 +146,16 @@ impl From<FolderError> for Failure {
         match error {
             FolderError::Design(error) => error.into(),
             error => Self::Sweep(error),
+        }
+    }
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        match error {
+            ReportError::Folder(error) => error.into(),
+            ReportError::Draw(error) => Self::Draw(error),
+            error => Self::Map(error.to_string()),
         }
     }
 }

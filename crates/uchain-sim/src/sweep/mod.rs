@@ -4,7 +4,8 @@
 //! replicate alone ([`Seed::replicate`](crate::seed::Seed::replicate)): all variants of a replicate see the same
 //! random numbers, which makes them comparable pair by pair, and `uchain run --seed` flies any row again.
 //!
-//! [`Sweep::each`] keeps its results in memory; [`folder`] keeps them on disk, whatever happens to the process.
+//! [`Sweep::each`] keeps what is made of each run in memory, [`table`] the rows; [`folder`] keeps them on disk, whatever
+//! happens to the process.
 
 mod cache;
 mod design;
@@ -12,6 +13,7 @@ mod fly;
 pub mod folder;
 pub mod report;
 mod row;
+pub mod table;
 
 use std::{any::Any, hash::Hasher as _, sync::Arc};
 
@@ -126,15 +128,35 @@ impl Sweep {
     /// The first variant that is wrong, with the place its value was written in; the first variant, if none can be laid
     /// out.
     pub fn check(&self) -> Result<String, DesignError> {
-        fly::first_error(self.variants(), |variant| {
+        self.check_until(&|| false).map(Option::unwrap_or_default)
+    }
+
+    /// Like [`Sweep::check`], until somebody says to stop; `None` if so.
+    ///
+    /// # Errors
+    /// Those of [`Sweep::check`].
+    pub fn check_until(&self, stop: &(dyn Fn() -> bool + Sync)) -> Result<Option<String>, DesignError> {
+        let checked = fly::first_error(self.variants(), |variant| {
+            if stop() {
+                return Some(None);
+            }
             let sets = combined(&self.design, &self.sets, variant);
-            self.registry.describe(&self.source, &sets).err().map(|error| self.design.place(variant, error))
-        })?;
+            let wrong = self.registry.describe(&self.source, &sets).err();
+            wrong.map(|error| Some(self.design.place(variant, error)))
+        });
+        match checked {
+            Ok(()) => {}
+            Err(None) => return Ok(None),
+            Err(Some(error)) => return Err(error.into()),
+        }
         let mut first = None;
         for variant in 0..self.variants() {
             match self.lay(variant) {
-                Ok(scene) => return Ok(hash_of(scene.map())),
+                Ok(scene) => return Ok(Some(hash_of(scene.map()))),
                 Err(error) => first = first.or(Some(error)),
+            }
+            if stop() {
+                return Ok(None);
             }
         }
         first.map_or(Err(DesignError::None), |error| Err(error.into()))

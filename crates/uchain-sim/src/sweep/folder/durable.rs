@@ -12,12 +12,28 @@ use super::FolderError;
 pub(super) const PART: &str = ".part";
 
 /// Writes a file under a temporary name, brings it to the disk, gives it its name, and brings that to the disk.
-pub(super) fn write<T>(
+pub(in crate::sweep) fn write<T>(
     path: &Path,
     fill: impl FnOnce(&mut BufWriter<File>) -> Result<T, FolderError>,
 ) -> Result<T, FolderError> {
+    written(path, true, fill)
+}
+
+/// Writes a file that can be made again: whole or not at all, unless the power goes.
+pub(in crate::sweep) fn replace<T>(
+    path: &Path,
+    fill: impl FnOnce(&mut BufWriter<File>) -> Result<T, FolderError>,
+) -> Result<T, FolderError> {
+    written(path, false, fill)
+}
+
+fn written<T>(
+    path: &Path,
+    is_settled: bool,
+    fill: impl FnOnce(&mut BufWriter<File>) -> Result<T, FolderError>,
+) -> Result<T, FolderError> {
     let part = part_of(path);
-    let written = write_part(path, &part, fill);
+    let written = write_part(path, &part, is_settled, fill);
     if written.is_err() {
         // What is left of it is of no use to anyone.
         let _ = fs::remove_file(&part);
@@ -28,16 +44,21 @@ pub(super) fn write<T>(
 fn write_part<T>(
     path: &Path,
     part: &Path,
+    is_settled: bool,
     fill: impl FnOnce(&mut BufWriter<File>) -> Result<T, FolderError>,
 ) -> Result<T, FolderError> {
     let failed = |cause| FolderError::io(path, "write")(cause);
     let mut out = BufWriter::new(File::create(part).map_err(failed)?);
     let filled = fill(&mut out)?;
     out.flush().map_err(failed)?;
-    out.get_ref().sync_all().map_err(failed)?;
+    if is_settled {
+        out.get_ref().sync_all().map_err(failed)?;
+    }
     drop(out);
     fs::rename(part, path).map_err(failed)?;
-    settle(path.parent().unwrap_or(Path::new(".")))?;
+    if is_settled {
+        settle(path.parent().unwrap_or(Path::new(".")))?;
+    }
     Ok(filled)
 }
 

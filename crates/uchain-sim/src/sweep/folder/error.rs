@@ -85,6 +85,23 @@ pub enum FolderError {
         /// The first of them.
         first: u64,
     },
+    /// A run that is in two tables which were to be one.
+    #[error("run {run} is in two of the tables: expected every shard once")]
+    RunTwice {
+        /// The run.
+        run: u64,
+    },
+    /// Tables of different sweeps.
+    #[error("table {place} is of another sweep than table 0: {what}")]
+    OtherSweep {
+        /// Which one, from 0.
+        place: usize,
+        /// What differs: what is in the first, and what is in it.
+        what: String,
+    },
+    /// One table of none.
+    #[error("no tables: expected at least one")]
+    NoTables,
     /// There is no table yet.
     #[error("{} is not complete: {there} of {runs} runs are there; go on with --resume, or merge its shards", folder.display())]
     NoTable {
@@ -116,7 +133,7 @@ pub enum FolderError {
 
 impl FolderError {
     /// For `map_err`.
-    pub(super) fn io(path: &Path, doing: &'static str) -> impl FnOnce(io::Error) -> Self {
+    pub(in crate::sweep) fn io(path: &Path, doing: &'static str) -> impl FnOnce(io::Error) -> Self {
         let path = path.to_owned();
         move |cause| Self::Io { path, doing, cause }
     }

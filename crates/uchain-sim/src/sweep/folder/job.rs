@@ -26,6 +26,14 @@ pub struct Shard {
     pub of: u64,
 }
 
+impl Shard {
+    /// Its chunks, of so many.
+    pub(in crate::sweep) fn chunks(self, all: u64) -> impl Iterator<Item = u64> {
+        let (first, step) = (self.number.saturating_sub(1), usize::try_from(self.of).unwrap_or(usize::MAX));
+        (first..all).step_by(step.max(1))
+    }
+}
+
 /// Which runs leave a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Record {
@@ -97,23 +105,10 @@ impl Folder {
                 missing.push(chunk);
             }
         }
-        // The first error stops the others at their next tick.
-        let is_over = AtomicBool::new(false);
-        let watch = Until { watch: job.watch, is_over: &is_over };
-        let job = Job { watch: &watch, ..job };
-        let done: Vec<Result<(), FolderError>> = missing
-            .into_par_iter()
-            .with_max_len(1)
-            .map(|chunk| {
-                let done = self.fly_chunk(sweep, chunk, &columns, job);
-                is_over.fetch_or(done.is_err(), Ordering::Relaxed);
-                done
-            })
-            .collect();
-        // What stopped the others says more than that they were stopped.
-        let mut errors: Vec<FolderError> = done.into_iter().filter_map(Result::err).collect();
-        let place = errors.iter().position(|error| !matches!(error, FolderError::Interrupted)).unwrap_or(0);
-        if errors.is_empty() { self.lacks(job.shard) } else { Err(errors.swap_remove(place)) }
+        each_chunk(missing, job.watch, |chunk, watch| {
+            self.fly_chunk(sweep, chunk, &columns, Job { watch, ..job })
+        })?;
+        self.lacks(job.shard)
     }
 
     /// An error if runs of a shard are not there, whoever took them away.
@@ -131,8 +126,7 @@ impl Folder {
     }
 
     fn chunks_of(&self, shard: Shard) -> impl Iterator<Item = u64> {
-        let (first, step) = (shard.number.saturating_sub(1), usize::try_from(shard.of).unwrap_or(usize::MAX));
-        (first..self.chunks()).step_by(step.max(1))
+        shard.chunks(self.chunks())
     }
 
     fn fly_chunk(
@@ -206,7 +200,41 @@ impl Folder {
     }
 }
 
-fn unrecorded(sweep: &Sweep, run: Run, watch: &dyn Watch) -> Result<Result<Flown, String>, RecordError> {
+/// Flies chunks on all threads; the first error stops the others at their next tick.
+pub(in crate::sweep) fn each_chunk<T: Send>(
+    chunks: Vec<u64>,
+    watch: &dyn Watch,
+    fly: impl Fn(u64, &dyn Watch) -> Result<T, FolderError> + Sync,
+) -> Result<Vec<T>, FolderError> {
+    let is_over = AtomicBool::new(false);
+    let watch = Until { watch, is_over: &is_over };
+    let done: Vec<Result<T, FolderError>> = chunks
+        .into_par_iter()
+        .with_max_len(1)
+        .map(|chunk| {
+            let done = fly(chunk, &watch);
+            is_over.fetch_or(done.is_err(), Ordering::Relaxed);
+            done
+        })
+        .collect();
+    let (mut flown, mut stopped) = (Vec::new(), None);
+    for done in done {
+        match done {
+            Ok(chunk) => flown.push(chunk),
+            // What stopped the others says more than that they were stopped.
+            Err(FolderError::Interrupted) => stopped = stopped.or(Some(FolderError::Interrupted)),
+            Err(error) => return Err(error),
+        }
+    }
+    stopped.map_or(Ok(flown), Err)
+}
+
+/// Flies a run that leaves no recording.
+pub(in crate::sweep) fn unrecorded(
+    sweep: &Sweep,
+    run: Run,
+    watch: &dyn Watch,
+) -> Result<Result<Flown, String>, RecordError> {
     whole(sweep.one(run, |scene, run| scene.fly(run.seed, &mut Stop(watch))))
 }
 

@@ -3,6 +3,7 @@
 use std::{
     fs::File,
     io::{self, Read as _, Write as _},
+    ops::Range,
     path::{Path, PathBuf},
 };
 
@@ -52,7 +53,7 @@ pub struct Manifest {
 
 /// The file.
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct OnDisk {
+pub(in crate::sweep) struct OnDisk {
     #[serde(flatten)]
     pub(super) manifest: Manifest,
     /// Where relative paths in the scenario start; where, not what is flown.
@@ -63,6 +64,16 @@ pub(super) struct OnDisk {
 }
 
 impl OnDisk {
+    /// Without a table yet.
+    pub(in crate::sweep) fn new(manifest: Manifest, folder: PathBuf) -> Self {
+        Self { manifest, folder, table: None }
+    }
+
+    /// What is flown, and where relative paths in its scenario start.
+    pub(in crate::sweep) fn into_parts(self) -> (Manifest, PathBuf) {
+        (self.manifest, self.folder)
+    }
+
     /// In this folder.
     pub(super) fn read(folder: &Path) -> Result<Self, FolderError> {
         let file = folder.join(MANIFEST);
@@ -122,6 +133,34 @@ impl Manifest {
         Sweep::of(registry, source, self.set.clone(), design, self.replicates, self.seed)
     }
 
+    /// Number of chunks.
+    pub(in crate::sweep) fn chunks(&self) -> u64 {
+        self.runs.div_ceil(self.chunk_rows.max(1))
+    }
+
+    /// Runs of a chunk.
+    pub(in crate::sweep) fn runs_of(&self, chunk: u64) -> Range<u64> {
+        let first = chunk.saturating_mul(self.chunk_rows).min(self.runs);
+        first..first.saturating_add(self.chunk_rows).min(self.runs)
+    }
+
+    /// What is flown, for the table: the table alone says what it is about. `file` is what messages are about.
+    pub(in crate::sweep) fn metadata(&self, file: &Path) -> Result<Vec<(&'static str, String)>, FolderError> {
+        let json = |value: serde_json::Result<String>| {
+            value.map_err(|error| FolderError::io(file, "read")(error.into()))
+        };
+        Ok(vec![
+            ("uchain.version", self.version.clone()),
+            ("uchain.name", self.name.clone()),
+            ("uchain.scenario", self.scenario.clone()),
+            ("uchain.set", json(serde_json::to_string(&self.set))?),
+            ("uchain.design", json(serde_json::to_string(&self.design))?),
+            ("uchain.replicates", self.replicates.to_string()),
+            ("uchain.seed", self.seed.to_string()),
+            ("uchain.walls", self.walls.clone()),
+        ])
+    }
+
     /// Names the sweep in its chunks.
     pub(super) fn hash(&self) -> String {
         // Strings and numbers become JSON without fail.
@@ -130,7 +169,7 @@ impl Manifest {
     }
 
     /// What differs from another one, which was asked for; `None` if nothing does.
-    pub(super) fn differs(&self, asked: &Self) -> Option<String> {
+    pub(in crate::sweep) fn differs(&self, asked: &Self) -> Option<String> {
         let (one, other) = (serde_json::to_value(self).ok()?, serde_json::to_value(asked).ok()?);
         let (one, other) = (one.as_object()?, other.as_object()?);
         let told = |key: &str| {

@@ -5,7 +5,7 @@
 //! whole or not at all. When all are there, `runs.parquet` is made of them, and they go.
 
 mod chunk;
-mod durable;
+pub(super) mod durable;
 mod error;
 mod job;
 mod lock;
@@ -23,16 +23,19 @@ use std::{
 
 pub use error::FolderError;
 pub use job::{Job, Record, Shard, Watch};
+pub(super) use job::{each_chunk, unrecorded};
 pub use lock::{LOCK, Lock, LockError};
 pub use manifest::Manifest;
+pub(super) use manifest::OnDisk;
 pub use merge::merge;
+pub(super) use table::{Table as Stored, Writer, cannot_write, damaged};
 pub use totals::Totals;
+pub(super) use totals::{Sum, summed};
 
 use super::{Sweep, row::FAILED};
 use crate::analyse::{Cell, Column};
 use crate::registry::Registry;
-use manifest::OnDisk;
-use table::{REMEDY, Table, damaged, seal_of};
+use table::{REMEDY, Table, seal_of};
 
 /// What is flown.
 const MANIFEST: &str = "sweep.json";
@@ -108,7 +111,7 @@ impl Folder {
         fs::create_dir_all(path).map_err(FolderError::io(path, "make the folder"))?;
         durable::settle(path.parent().unwrap_or(path))?;
         let lock = lock(path)?;
-        let on_disk = OnDisk { manifest, folder: absolute(scenes)?, table: None };
+        let on_disk = OnDisk::new(manifest, absolute(scenes)?);
         on_disk.write(path)?;
         let this = Self::of(path, on_disk, Some(lock));
         this.prepare()?;
@@ -159,6 +162,16 @@ impl Folder {
         &self.on_disk.manifest
     }
 
+    /// The missions that its scenario may be of.
+    pub fn registry(&self) -> Registry {
+        self.registry
+    }
+
+    /// Where relative paths in the scenario start.
+    pub(super) fn scenes(&self) -> &Path {
+        &self.on_disk.folder
+    }
+
     /// From here on its scenario may be of these missions, and of no others.
     #[must_use]
     pub fn with_missions(self, registry: Registry) -> Self {
@@ -184,7 +197,7 @@ impl Folder {
     }
 
     /// The table, whose bytes are those that were written.
-    fn table(&self) -> Result<Table, FolderError> {
+    pub(super) fn table(&self) -> Result<Table, FolderError> {
         let path = self.table_path();
         if self.is_checked.get().is_none() {
             // Read anew: this process may have written the table since it began.
@@ -200,28 +213,30 @@ impl Folder {
         Table::open(&path)
     }
 
-    fn table_path(&self) -> PathBuf {
+    pub(super) fn table_path(&self) -> PathBuf {
         self.path.join(TABLE)
     }
 
     /// Number of chunks.
     fn chunks(&self) -> u64 {
-        let manifest = self.manifest();
-        manifest.runs.div_ceil(manifest.chunk_rows.max(1))
+        self.manifest().chunks()
     }
 
     /// Runs of a chunk.
     fn runs_of(&self, chunk: u64) -> Range<u64> {
-        let manifest = self.manifest();
-        let first = chunk * manifest.chunk_rows;
-        first..(first + manifest.chunk_rows).min(manifest.runs)
+        self.manifest().runs_of(chunk)
+    }
+
+    /// Chunks that wait for the others.
+    pub(super) fn finished_chunks(&self) -> impl Iterator<Item = u64> {
+        (0..self.chunks()).filter(|chunk| self.chunk_path(*chunk).exists())
     }
 
     fn chunk_path(&self, chunk: u64) -> PathBuf {
         self.path.join(CHUNKS).join(format!("{chunk:08}.jsonl"))
     }
 
-    fn read_chunk(&self, chunk: u64, columns: &[Column]) -> Result<Vec<Vec<Cell>>, FolderError> {
+    pub(super) fn read_chunk(&self, chunk: u64, columns: &[Column]) -> Result<Vec<Vec<Cell>>, FolderError> {
         chunk::read(&self.chunk_path(chunk), &self.hash, &self.runs_of(chunk), columns.len())
     }
 
@@ -274,7 +289,7 @@ impl Folder {
     pub fn column(
         &self,
         column: &Column,
-    ) -> Result<impl Iterator<Item = Result<Vec<Cell>, FolderError>>, FolderError> {
+    ) -> Result<impl Iterator<Item = Result<Vec<Cell>, FolderError>> + use<>, FolderError> {
         let path = self.table_path();
         let table = self.table()?;
         let cells: Vec<_> = (0..table.groups()).collect();
@@ -303,7 +318,7 @@ fn stranger(path: &Path) -> Result<Option<String>, FolderError> {
 }
 
 /// Where relative paths start, wherever a process stands.
-fn absolute(scenes: &Path) -> Result<PathBuf, FolderError> {
+pub(super) fn absolute(scenes: &Path) -> Result<PathBuf, FolderError> {
     let scenes = if scenes.as_os_str().is_empty() { Path::new(".") } else { scenes };
     std::path::absolute(scenes).map_err(FolderError::io(scenes, "find the folder"))
 }

@@ -29,7 +29,7 @@ pub struct Totals {
 
 /// Totals while they are summed up.
 #[derive(Debug)]
-struct Sum {
+pub(in crate::sweep) struct Sum {
     runs: u64,
     failed: u64,
     sim_s: f64,
@@ -37,11 +37,11 @@ struct Sum {
 }
 
 impl Sum {
-    fn new() -> Self {
+    pub(in crate::sweep) fn new() -> Self {
         Self { runs: 0, failed: 0, sim_s: 0.0, hash: XxHash64::with_seed(0) }
     }
 
-    fn add(&mut self, [failed, sim_s, digest]: [&Cell; 3]) {
+    pub(in crate::sweep) fn add(&mut self, [failed, sim_s, digest]: [&Cell; 3]) {
         self.runs += 1;
         self.failed += u64::from(*failed != Cell::Absent);
         self.sim_s += sim_s.number().unwrap_or(0.0);
@@ -49,14 +49,14 @@ impl Sum {
         self.hash.write(b"\n");
     }
 
-    fn totals(&self) -> Totals {
+    pub(in crate::sweep) fn totals(&self) -> Totals {
         let digest = format!("{:016x}", self.hash.finish());
         Totals { runs: self.runs, failed: self.failed, sim_s: self.sim_s, digest }
     }
 }
 
 /// The columns that are summed up.
-fn summed(columns: &[Column]) -> [usize; 3] {
+pub(in crate::sweep) fn summed(columns: &[Column]) -> [usize; 3] {
     let place = |name| columns.iter().position(|column| column.name == name).unwrap_or(usize::MAX);
     [place(FAILED), place("sim_s"), place("digest")]
 }
@@ -75,7 +75,7 @@ impl Folder {
         let places = summed(&columns);
         let mut sum = Sum::new();
         if !self.is_complete() {
-            for chunk in (0..self.chunks()).filter(|chunk| self.chunk_path(*chunk).exists()) {
+            for chunk in self.finished_chunks() {
                 self.read_chunk(chunk, &columns)?.iter().for_each(|row| sum.add(cells(row, &places)));
             }
             return Ok(sum.totals());
@@ -125,7 +125,8 @@ impl Folder {
         let totals = durable::write(&path, |out| {
             let mut sum = Sum::new();
             let mut out = Sealing::new(out);
-            let mut writer = Writer::start(&mut out, columns.to_vec(), self.metadata()?).map_err(failed)?;
+            let metadata = self.manifest().metadata(&self.path.join(MANIFEST))?;
+            let mut writer = Writer::start(&mut out, columns.to_vec(), metadata).map_err(failed)?;
             for chunk in 0..self.chunks() {
                 for row in read(chunk)? {
                     sum.add(cells(&row, &places));
@@ -143,24 +144,5 @@ impl Folder {
     /// Writes down what the bytes of the table are. It is done before the table has its name: there is none without.
     pub(super) fn seal(&self, seal: Seal) -> Result<(), FolderError> {
         OnDisk { table: Some(seal), ..OnDisk::read(&self.path)? }.write(&self.path)
-    }
-
-    /// What is flown, for the table: the table alone says what it is about.
-    fn metadata(&self) -> Result<Vec<(&'static str, String)>, FolderError> {
-        let manifest = self.manifest();
-        let file = self.path.join(MANIFEST);
-        let json = |value: serde_json::Result<String>| {
-            value.map_err(|error| FolderError::io(&file, "read")(error.into()))
-        };
-        Ok(vec![
-            ("uchain.version", manifest.version.clone()),
-            ("uchain.name", manifest.name.clone()),
-            ("uchain.scenario", manifest.scenario.clone()),
-            ("uchain.set", json(serde_json::to_string(&manifest.set))?),
-            ("uchain.design", json(serde_json::to_string(&manifest.design))?),
-            ("uchain.replicates", manifest.replicates.to_string()),
-            ("uchain.seed", manifest.seed.to_string()),
-            ("uchain.walls", manifest.walls.clone()),
-        ])
     }
 }

@@ -12,9 +12,9 @@ use parquet::errors::ParquetError;
 
 use super::FolderError;
 
-pub(super) use read::Table;
+pub(in crate::sweep) use read::Table;
 pub(super) use seal::{Seal, Sealing, seal_of};
-pub(super) use write::Writer;
+pub(in crate::sweep) use write::Writer;
 
 /// Rows of a row group, and entries of lists in it: they bound the memory of writers and readers.
 const GROUP_ROWS: usize = 16_384;
@@ -25,12 +25,12 @@ pub(super) const REMEDY: &str = "remove it and fly the sweep again";
 type Result<T> = std::result::Result<T, ParquetError>;
 
 /// For `map_err`.
-pub(super) fn damaged(path: &Path, error: &ParquetError) -> FolderError {
+pub(in crate::sweep) fn damaged(path: &Path, error: &ParquetError) -> FolderError {
     FolderError::Damaged { file: path.to_owned(), why: error.to_string(), remedy: REMEDY }
 }
 
 /// For `map_err`: the system's own words, if it was the system.
-pub(super) fn cannot_write(path: &Path, error: ParquetError) -> FolderError {
+pub(in crate::sweep) fn cannot_write(path: &Path, error: ParquetError) -> FolderError {
     let cause = match error {
         ParquetError::External(cause) => match cause.downcast::<std::io::Error>() {
             Ok(cause) => *cause,

@@ -26,7 +26,7 @@ fn rows(count: u64) -> Vec<Vec<Cell>> {
         let list = |width: u64| {
             Cell::Numbers(
                 (0..run % width)
-                    .map(|at| (at != 1).then_some(f64::from(number as f32) * at as f64))
+                    .map(|at| (at != 1).then_some(f64::from(number as f32) * (at + 1) as f64))
                     .collect(),
             )
         };
@@ -48,17 +48,15 @@ fn written(rows: Vec<Vec<Cell>>) -> Vec<u8> {
     bytes
 }
 
-/// Every scalar of a table, column by column; the reason if one cannot be read.
+/// All cells of a table, column by column; the reason if one cannot be read.
 fn read(bytes: &[u8]) -> std::result::Result<Vec<Vec<Cell>>, String> {
     let table = Table::of(Bytes::copy_from_slice(bytes)).map_err(|error| error.to_string())?;
-    let scalars =
-        columns().into_iter().filter(|column| !matches!(column.kind, Kind::Numbers | Kind::Singles));
     let cells = |column: Column| {
         let cells = |group| table.cells(&column, group).map_err(|error| error.to_string());
         let groups: std::result::Result<Vec<_>, _> = (0..table.groups()).map(cells).collect();
         groups.map(|groups| groups.concat())
     };
-    scalars.map(cells).collect()
+    columns().into_iter().map(cells).collect()
 }
 
 #[test]
@@ -73,20 +71,30 @@ fn a_table_reads_as_it_was_written_in_one_group_and_in_many() {
     }
 }
 
-/// Where the contents of pages lie in a table: behind their headers.
+/// Where the contents of pages lie in a table: behind their headers. The last page of a column ends where the column
+/// does; the content of the one before, a dictionary, is long enough not to stand in its header by chance.
 fn contents(whole: &[u8]) -> Vec<std::ops::Range<usize>> {
     let file = SerializedFileReader::new(Bytes::copy_from_slice(whole)).unwrap();
-    let (mut ranges, mut from) = (Vec::new(), 0);
+    let mut ranges = Vec::new();
     for group in 0..file.num_row_groups() {
         let group = file.get_row_group(group).unwrap();
         for leaf in 0..group.num_columns() {
-            let mut pages = group.get_column_page_reader(leaf).unwrap();
-            while let Some(page) = pages.get_next_page().unwrap() {
+            let (start, length) = group.metadata().column(leaf).byte_range();
+            let (mut from, end) = (start as usize, (start + length) as usize);
+            let pages: Vec<_> = group.get_column_page_reader(leaf).unwrap().map(Result::unwrap).collect();
+            for (place, page) in pages.iter().enumerate() {
                 let content = page.buffer();
-                let at =
-                    whole[from..].windows(content.len()).position(|bytes| bytes == &content[..]).unwrap();
-                ranges.push(from + at..from + at + content.len());
-                from += at + content.len();
+                let at = if place + 1 == pages.len() {
+                    end - content.len()
+                } else {
+                    from + whole[from..end]
+                        .windows(content.len())
+                        .position(|bytes| bytes == &content[..])
+                        .unwrap()
+                };
+                assert_eq!(whole[at..at + content.len()], content[..]);
+                ranges.push(at..at + content.len());
+                from = at + content.len();
             }
         }
     }
@@ -105,13 +113,11 @@ fn a_bit_that_flips_in_a_page_is_noticed_without_the_folder() {
             let mut flipped = whole.clone();
             flipped[bit / 8] ^= 1 << (bit % 8);
             let now = read(&flipped);
-            // Lists are not read here.
-            let is_list = now.as_ref() == Ok(&wanted);
-            assert!(now.is_err() || is_list, "bit {} of byte {}: {now:?}", bit % 8, bit / 8);
+            assert!(now.is_err(), "bit {} of byte {}: {now:?}", bit % 8, bit / 8);
             // Were the checksum changed with it, nobody would notice.
             let (old, new) = (crc_of(&whole[range.clone()]), crc_of(&flipped[range.clone()]));
             let place = whole[..range.start].windows(old.len()).rposition(|bytes| bytes == old).unwrap();
-            if bit % 8 == 0 && old.len() == new.len() && !is_list {
+            if bit % 8 == 0 && old.len() == new.len() {
                 flipped[place..place + new.len()].copy_from_slice(&new);
                 unnoticed += usize::from(read(&flipped).is_ok_and(|now| now != wanted));
             }

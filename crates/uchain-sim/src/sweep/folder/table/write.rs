@@ -43,7 +43,7 @@ fn field(column: &Column) -> Result<TypePtr> {
 }
 
 /// Writes a table, a row group at a time.
-pub(in super::super) struct Writer<W: Write + Send> {
+pub(in crate::sweep) struct Writer<W: Write + Send> {
     file: SerializedFileWriter<W>,
     columns: Vec<Column>,
     rows: Vec<Vec<Cell>>,
@@ -52,7 +52,7 @@ pub(in super::super) struct Writer<W: Write + Send> {
 
 impl<W: Write + Send> Writer<W> {
     /// With names and values in the file's metadata.
-    pub(in super::super) fn start(
+    pub(in crate::sweep) fn start(
         out: W,
         columns: Vec<Column>,
         metadata: Vec<(&str, String)>,
@@ -71,7 +71,7 @@ impl<W: Write + Send> Writer<W> {
         Ok(Self { file, columns, rows: Vec::new(), entries: 0 })
     }
 
-    pub(in super::super) fn row(&mut self, row: Vec<Cell>) -> Result<()> {
+    pub(in crate::sweep) fn row(&mut self, row: Vec<Cell>) -> Result<()> {
         let lists = row.iter().map(|cell| if let Cell::Numbers(list) = cell { list.len() } else { 0 });
         self.entries += lists.sum::<usize>();
         self.rows.push(row);
@@ -79,7 +79,7 @@ impl<W: Write + Send> Writer<W> {
         if is_full { self.group() } else { Ok(()) }
     }
 
-    pub(in super::super) fn finish(mut self) -> Result<()> {
+    pub(in crate::sweep) fn finish(mut self) -> Result<()> {
         if !self.rows.is_empty() {
             self.group()?;
         }

@@ -2,29 +2,32 @@
 
 use std::fmt::Write as _;
 
-use uchain_sim::{
+use super::{CELLS_MAX, Failures, Metric};
+use crate::{
     analyse::Estimate,
     sweep::{
         Sweep,
-        folder::{Folder, Totals},
-        report::{CELLS_MAX, Failures, Metric},
+        folder::{Manifest, Totals},
     },
 };
 
-use super::{CSV, PLOTS};
+/// Every cell of every number, for programs.
+pub const CSV: &str = "report.csv";
+/// Folder of the pictures.
+pub const PLOTS: &str = "plots";
 
 /// Most rows of a table.
 const ROWS_MAX: usize = 200;
 
+/// The report: what was flown, what failed and why, and a table for every number.
 // Writing to a String cannot fail: what it returns is left aside all through.
-pub(super) fn write(
-    folder: &Folder,
+pub fn markdown(
+    manifest: &Manifest,
     sweep: &Sweep,
     totals: &Totals,
     metrics: &[Metric],
     failures: &Failures,
 ) -> String {
-    let manifest = folder.manifest();
     let mut text = format!("# Sweep of {}\n\n", manifest.name);
     let (variants, replicates) = (sweep.variants(), sweep.replicates());
     let _ = writeln!(text, "- {} runs: {variants} variants × {replicates} replicates", totals.runs);

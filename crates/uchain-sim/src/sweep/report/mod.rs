@@ -1,12 +1,39 @@
 //! What a sweep came to, cell by cell: statistics of every number of the summary in every variant.
 
+mod markdown;
+#[cfg(feature = "draw")]
+mod pictures;
+mod rows;
+#[cfg(feature = "draw")]
+mod save;
+
 use super::{
     Sweep,
-    folder::{Folder, FolderError},
+    folder::FolderError,
     row::{FAILED, VERDICT},
 };
 use crate::analyse::Estimate;
 use crate::analyse::{Cell, Column, Kind};
+
+pub use markdown::markdown;
+#[cfg(feature = "draw")]
+pub use pictures::picture;
+pub use rows::Rows;
+#[cfg(feature = "draw")]
+pub use save::{CSV, MARKDOWN, PLOTS, save};
+
+/// Why there is no report.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReportError {
+    /// Rows cannot be read, or a file cannot be written.
+    #[error(transparent)]
+    Folder(#[from] FolderError),
+    /// No picture.
+    #[cfg(feature = "draw")]
+    #[error(transparent)]
+    Draw(#[from] crate::draw::DrawError),
+}
 
 /// Most variants that are kept for tables and pictures.
 pub const CELLS_MAX: usize = 1000;
@@ -61,13 +88,13 @@ pub fn metrics(sweep: &Sweep) -> Vec<Column> {
 /// # Errors
 /// The table cannot be read, or the callback fails.
 pub fn each_variant<E: From<FolderError>>(
-    folder: &Folder,
+    rows: &dyn Rows,
     column: &Column,
     mut told: impl FnMut(u64, &[Cell]) -> Result<(), E>,
 ) -> Result<(), E> {
-    let replicates = usize::try_from(folder.manifest().replicates).unwrap_or(usize::MAX);
+    let replicates = usize::try_from(rows.manifest().replicates).unwrap_or(usize::MAX);
     let (mut cells, mut variant) = (Vec::new(), 0);
-    for group in folder.column(column)? {
+    for group in rows.cells(column)? {
         for cell in group? {
             cells.push(cell);
             if cells.len() == replicates {
@@ -85,12 +112,12 @@ pub fn each_variant<E: From<FolderError>>(
 /// # Errors
 /// The table cannot be read, or the callback fails.
 pub fn metric<E: From<FolderError>>(
-    folder: &Folder,
+    rows: &dyn Rows,
     column: &Column,
     mut told: impl FnMut(u64, &Estimate) -> Result<(), E>,
 ) -> Result<Metric, E> {
     let (mut kept, mut first, mut is_constant) = (Vec::new(), None, true);
-    each_variant(folder, column, |variant, cells| {
+    each_variant(rows, column, |variant, cells| {
         let sample: Vec<f64> = cells.iter().filter_map(Cell::number).collect();
         for number in &sample {
             is_constant &= *first.get_or_insert(*number) == *number;
@@ -108,17 +135,31 @@ pub fn metric<E: From<FolderError>>(
     Ok(Metric { name: column.name.clone(), cells: kept, constant: first.filter(|_| is_constant) })
 }
 
+/// What a number is in every run.
+///
+/// # Errors
+/// The table cannot be read.
+pub fn values(rows: &dyn Rows, sweep: &Sweep, name: &str) -> Result<Vec<f64>, FolderError> {
+    let mut values = Vec::new();
+    for column in metrics(sweep).iter().filter(|column| column.name == name) {
+        for group in rows.cells(column)? {
+            values.extend(group?.iter().filter_map(Cell::number));
+        }
+    }
+    Ok(values)
+}
+
 /// Which runs failed, and why.
 ///
 /// # Errors
 /// The table cannot be read.
-pub fn failures(folder: &Folder, sweep: &Sweep) -> Result<Failures, FolderError> {
+pub fn failures(rows: &dyn Rows, sweep: &Sweep) -> Result<Failures, FolderError> {
     let mut failures = Failures::default();
     let Some(column) = sweep.columns().into_iter().find(|column| column.name == FAILED) else {
         return Ok(failures);
     };
     let replicates = sweep.replicates();
-    each_variant(folder, &column, |variant, cells| {
+    each_variant(rows, &column, |variant, cells| {
         let mut failed = 0;
         for (replicate, cell) in cells.iter().enumerate() {
             let Some(words) = cell.text() else { continue };
@@ -140,7 +181,7 @@ pub fn failures(folder: &Folder, sweep: &Sweep) -> Result<Failures, FolderError>
     let Some(column) = sweep.columns().into_iter().find(|column| column.name == VERDICT) else {
         return Ok(failures);
     };
-    each_variant(folder, &column, |variant, cells| {
+    each_variant(rows, &column, |variant, cells| {
         for reason in failures.reasons.iter_mut().filter(|reason| reason.first / replicates == variant) {
             let first = cells.get((reason.first % replicates) as usize);
             reason.verdict = first.and_then(Cell::text).map(str::to_owned);

@@ -2,14 +2,36 @@
 //! others is a line.
 
 use uchain_core::bounded;
-use uchain_sim::{
+
+use super::{Metric, ReportError, Rows, values};
+use crate::{
     analyse::Estimate,
-    draw::sweep::{Chart, LINES_MAX, Line},
-    sweep::{Sweep, report::Metric},
+    draw::{
+        Picture,
+        sweep::{Chart, LINES_MAX, Line, chart as drawn},
+    },
+    sweep::Sweep,
 };
 
+/// The picture of one number: its mean over what is varied, or how it is distributed if nothing is. `None` if there is
+/// nothing in it to see.
+///
+/// # Errors
+/// Rows cannot be read, or the picture cannot be drawn.
+pub fn picture(rows: &dyn Rows, sweep: &Sweep, metric: &Metric) -> Result<Option<Picture>, ReportError> {
+    if metric.constant.is_some() {
+        return Ok(None);
+    }
+    let chart = if sweep.variants() == 1 {
+        Some(distribution(sweep, &metric.name, values(rows, sweep, &metric.name)?))
+    } else {
+        chart(sweep, metric)
+    };
+    Ok(chart.map(|chart| drawn(&chart)).transpose()?)
+}
+
 /// A picture of one number; `None` if there is nothing in it to see.
-pub(super) fn chart<'a>(sweep: &'a Sweep, metric: &'a Metric) -> Option<Chart<'a>> {
+fn chart<'a>(sweep: &'a Sweep, metric: &'a Metric) -> Option<Chart<'a>> {
     let keys: Vec<&str> = sweep.design().keys().collect();
     let place = axis(sweep, metric.cells.len());
     let mut lines: Vec<Line> = Vec::new();
@@ -51,7 +73,7 @@ pub(super) fn chart<'a>(sweep: &'a Sweep, metric: &'a Metric) -> Option<Chart<'a
 }
 
 /// How the runs of a single variant are distributed.
-pub(super) fn distribution<'a>(sweep: &Sweep, name: &'a str, mut values: Vec<f64>) -> Chart<'a> {
+fn distribution<'a>(sweep: &Sweep, name: &'a str, mut values: Vec<f64>) -> Chart<'a> {
     const STEPS: usize = 100;
     values.sort_by(f64::total_cmp);
     let last = values.len().saturating_sub(1);
