@@ -3,7 +3,12 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use pyo3::{create_exception, exceptions::PyException, prelude::*};
-use uchain_sim::{config::ConfigError, record::RecordError, registry::FlightError};
+use uchain_sim::{
+    config::ConfigError,
+    record::RecordError,
+    registry::FlightError,
+    sweep::{DesignError, folder::FolderError, report::ReportError},
+};
 
 create_exception!(
     uchain,
@@ -41,6 +46,54 @@ pub(crate) fn flight(error: &FlightError) -> PyErr {
     UchainError::new_err(error.to_string())
 }
 
+create_exception!(
+    uchain,
+    SweepError,
+    UchainError,
+    "A sweep that cannot be flown, a folder that cannot be gone on with, tables that do not fit: its text says what was \
+     expected and what to do."
+);
+
+/// Of a sweep, its folder, its table.
+pub(crate) fn sweep(error: FolderError) -> PyErr {
+    let text = match error {
+        FolderError::Design(DesignError::Config(error)) => return scenario(&error),
+        FolderError::Design(DesignError::Read { label, cause }) => {
+            return system(&cause, &format!("{label}: cannot read the design: {cause}"));
+        }
+        FolderError::Io { path, doing, cause } => {
+            return system(&cause, &format!("{}: cannot {doing}: {cause}", path.display()));
+        }
+        FolderError::Exists { folder } => {
+            format!(
+                "{} holds a sweep already: resume=True goes on with it; or name another folder",
+                folder.display()
+            )
+        }
+        FolderError::Missing { missing, runs, first } => format!(
+            "{missing} of {runs} runs are missing, the first is run {first}: fly them, or join all shards by uchain.concat"
+        ),
+        FolderError::Damaged { file, why, remedy } => {
+            format!("{} is damaged: {why}; {}", file.display(), remedy.replace("--resume", "resume=True"))
+        }
+        other => other.to_string(),
+    };
+    SweepError::new_err(text)
+}
+
+/// Of a sweep's report.
+pub(crate) fn report(error: ReportError) -> PyErr {
+    match error {
+        ReportError::Folder(error) => sweep(error),
+        other => UchainError::new_err(other.to_string()),
+    }
+}
+
+/// Of the system: `FileNotFoundError`, `PermissionError` and their like, with our words.
+fn system(cause: &std::io::Error, words: &str) -> PyErr {
+    std::io::Error::new(cause.kind(), words).into()
+}
+
 /// Of a scenario.
 pub(crate) fn scenario(error: &ConfigError) -> PyErr {
     ScenarioError::new_err(error.to_string())
@@ -63,5 +116,6 @@ pub(crate) fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let py = module.py();
     module.add("UchainError", py.get_type::<UchainError>())?;
     module.add("ScenarioError", py.get_type::<ScenarioError>())?;
-    module.add("RecordingError", py.get_type::<RecordingError>())
+    module.add("RecordingError", py.get_type::<RecordingError>())?;
+    module.add("SweepError", py.get_type::<SweepError>())
 }

@@ -12,6 +12,7 @@ mod errors;
 mod laws;
 mod run;
 mod scenario;
+mod sweep;
 mod value;
 mod work;
 
@@ -40,6 +41,7 @@ pub fn fill(module: &Bound<'_, PyModule>, missions: Registry) -> PyResult<()> {
     errors::fill(module)?;
     scenario::fill(module)?;
     run::fill(module)?;
+    sweep::fill(module)?;
     belongs(module, &package(module)?)?;
     laws::fill(module)
 }

@@ -59,7 +59,20 @@ impl Scenario {
         if let Ok(scenario) = what.cast::<Self>() {
             return Ok(scenario.clone());
         }
-        let py = what.py();
+        let (source, sets) = Self::read(what)?;
+        Bound::new(what.py(), Self::lay(what.py(), source, sets)?)
+    }
+
+    /// The text of a scenario and what is written over it, not laid out yet: a sweep may vary what it cannot be laid out
+    /// without.
+    ///
+    /// # Errors
+    /// `TypeError` of what is no scenario, name or path, `ScenarioError` of one that is not there.
+    pub(crate) fn read(what: &Bound<'_, PyAny>) -> PyResult<(Source, Vec<String>)> {
+        if let Ok(scenario) = what.cast::<Self>() {
+            let scenario = scenario.get();
+            return Ok((scenario.source.clone(), scenario.sets.clone()));
+        }
         let source = if what.is_instance_of::<PyString>() {
             Source::find(&what.extract::<String>()?)
         } else if what.hasattr("__fspath__")? {
@@ -71,7 +84,7 @@ impl Scenario {
             )));
         };
         let source = source.map_err(|error| errors::scenario(&error))?;
-        Bound::new(py, Self::lay(py, source, Vec::new())?)
+        Ok((source, Vec::new()))
     }
 
     /// The values written over it: keys, and values as TOML.

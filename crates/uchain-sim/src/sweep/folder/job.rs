@@ -27,6 +27,12 @@ pub struct Shard {
 }
 
 impl Shard {
+    /// How many runs of a sweep it has.
+    pub fn runs(self, sweep: &Sweep) -> u64 {
+        let (runs, rows) = (sweep.runs(), chunk::rows(sweep.runs()));
+        self.chunks(runs.div_ceil(rows)).map(|chunk| rows.min(runs - chunk * rows)).sum()
+    }
+
     /// Its chunks, of so many.
     pub(in crate::sweep) fn chunks(self, all: u64) -> impl Iterator<Item = u64> {
         let (first, step) = (self.number.saturating_sub(1), usize::try_from(self.of).unwrap_or(usize::MAX));

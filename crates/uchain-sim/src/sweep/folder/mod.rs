@@ -38,7 +38,7 @@ use crate::registry::Registry;
 use table::{REMEDY, Table, seal_of};
 
 /// What is flown.
-const MANIFEST: &str = "sweep.json";
+pub(super) const MANIFEST: &str = "sweep.json";
 /// The table.
 pub const TABLE: &str = "runs.parquet";
 /// Chunks that wait for the others.

@@ -13,7 +13,7 @@ use super::{
 };
 use crate::sweep::{
     Sweep,
-    folder::{FolderError, durable},
+    folder::{FolderError, MANIFEST, durable},
 };
 
 pub use markdown::{CSV, PLOTS};
@@ -26,6 +26,7 @@ pub const MARKDOWN: &str = "report.md";
 /// # Errors
 /// Rows cannot be read, a picture cannot be drawn, a file cannot be written.
 pub fn save(rows: &dyn Rows, sweep: &Sweep, folder: &Path) -> Result<String, ReportError> {
+    fs::create_dir_all(folder).map_err(FolderError::io(folder, "make the folder"))?;
     clear(folder)?;
     let file = folder.join(CSV);
     let metrics = durable::replace(&file, |out| csv(rows, sweep, out, &file))?;
@@ -45,8 +46,13 @@ pub fn save(rows: &dyn Rows, sweep: &Sweep, folder: &Path) -> Result<String, Rep
     Ok(text)
 }
 
-/// Removes an older report: what it claims first.
+/// Removes an older report: what it claims first. Pictures of others stay: whoever has some there is told.
 fn clear(folder: &Path) -> Result<(), FolderError> {
+    let is_ours = [MARKDOWN, CSV, MANIFEST].iter().any(|name| folder.join(name).exists());
+    let is_full = || fs::read_dir(folder.join(PLOTS)).is_ok_and(|mut plots| plots.next().is_some());
+    if !is_ours && is_full() {
+        return Err(FolderError::Occupied { folder: folder.to_owned(), found: PLOTS.to_owned() });
+    }
     let plots = fs::read_dir(folder.join(PLOTS)).into_iter().flatten().flatten();
     let plots = plots.map(|entry| entry.path()).filter(|file| !file.is_dir());
     for file in [MARKDOWN, CSV].into_iter().map(|name| folder.join(name)).chain(plots) {

@@ -74,6 +74,9 @@ fn a_table_in_memory_writes_the_bytes_of_a_folder_and_reads_them_back() {
 fn shards_in_any_order_are_the_whole_and_nothing_else_is() {
     let whole = fly(1, WHOLE);
     let shards: Vec<Table> = (1..=3).map(|number| fly(1, Shard { number, of: 3 })).collect();
+    for (number, shard) in (1..).zip(&shards) {
+        assert_eq!(Shard { number, of: 3 }.runs(&sweep(1)), shard.rows());
+    }
     assert!(Table::concat(&[&shards[2], &shards[0], &shards[1]]).unwrap() == whole);
     let part = Table::concat(&[&shards[2], &shards[0]]).unwrap();
     let said = part.whole().unwrap_err().to_string();
