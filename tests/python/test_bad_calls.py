@@ -122,6 +122,11 @@ def instances() -> list[Any]:
         uchain.laws.Explorer(),
         uchain.laws.Heard.base(50.0),
         uchain.laws.Observation(),
+        uchain.ChainEnv(SHORT, worlds=2),
+        uchain.ChainEnv(SHORT).reset(),
+        uchain.ChainEnv(SHORT).truth(),
+        uchain.ChainEnv(SHORT).params,
+        uchain.batched(lambda seen: seen.back_db),
     ]
     return found
 

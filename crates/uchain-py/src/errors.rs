@@ -94,6 +94,13 @@ fn system(cause: &std::io::Error, words: &str) -> PyErr {
     std::io::Error::new(cause.kind(), words).into()
 }
 
+create_exception!(
+    uchain,
+    LawError,
+    UchainError,
+    "A law of one's own that gave no speed: its text says tick, time and relay; what the law raised is its cause."
+);
+
 /// Of a scenario.
 pub(crate) fn scenario(error: &ConfigError) -> PyErr {
     ScenarioError::new_err(error.to_string())
@@ -115,6 +122,7 @@ pub(crate) fn caught<T>(work: impl FnOnce() -> T) -> PyResult<T> {
 pub(crate) fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let py = module.py();
     module.add("UchainError", py.get_type::<UchainError>())?;
+    module.add("LawError", py.get_type::<LawError>())?;
     module.add("ScenarioError", py.get_type::<ScenarioError>())?;
     module.add("RecordingError", py.get_type::<RecordingError>())?;
     module.add("SweepError", py.get_type::<SweepError>())

@@ -4,12 +4,16 @@
 //! a table of errors. [`fill`] makes a module of it for missions with laws of one's own in Rust; `examples/own_law/` is
 //! one.
 
+#![allow(clippy::doc_markdown, clippy::doc_link_with_quotes, reason = "documentation that Python shows")]
+
 // One mathematics for the whole module: its runs have the same bits as those of the command line.
 use uchain_libm as _;
 
 mod command;
+mod env;
 mod errors;
 mod laws;
+mod own_law;
 mod run;
 mod scenario;
 mod sweep;
@@ -39,6 +43,8 @@ pub fn fill(module: &Bound<'_, PyModule>, missions: Registry) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     command::fill(module)?;
     errors::fill(module)?;
+    own_law::fill(module)?;
+    env::fill(module)?;
     scenario::fill(module)?;
     run::fill(module)?;
     sweep::fill(module)?;

@@ -23,7 +23,20 @@ const ASK: Duration = Duration::from_millis(50);
 pub(crate) fn off_the_lock<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> T + Send,
+    meanwhile: impl FnMut(Python<'_>) -> PyResult<()> + Send,
+) -> PyResult<T> {
+    off_the_lock_until(py, work, meanwhile, |_| ())
+}
+
+/// Like [`off_the_lock`], of work that may be in Python for long: once an exception is under way, `interrupted` ends that.
+///
+/// # Errors
+/// Those of [`off_the_lock`].
+pub(crate) fn off_the_lock_until<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&AtomicBool) -> T + Send,
     mut meanwhile: impl FnMut(Python<'_>) -> PyResult<()> + Send,
+    interrupted: impl Fn(Python<'_>) + Send + Sync,
 ) -> PyResult<T> {
     let stop = AtomicBool::new(false);
     py.detach(|| {
@@ -45,6 +58,7 @@ pub(crate) fn off_the_lock<T: Send>(
                         let asked = Python::attach(|py| py.check_signals().and_then(|()| meanwhile(py)));
                         if let Err(raised) = asked {
                             stop.store(true, Ordering::Relaxed);
+                            Python::attach(&interrupted);
                             return Err(raised);
                         }
                     }

@@ -26,10 +26,11 @@ use uchain_sim::{
     registry::{AnyScene, Kept, Now, Watch},
 };
 
-use crate::{errors, scenario::Scenario, work::off_the_lock};
+use crate::{errors, own_law::OwnLaw, scenario::Scenario, work::off_the_lock_until};
 use file::Unfinished;
 pub(crate) use picture::Picture;
 pub(crate) use results::Run;
+pub(crate) use summary::Summary;
 
 /// Stops a run at Ctrl-C.
 pub(crate) struct Stopped<'a>(pub(crate) &'a AtomicBool);
@@ -103,6 +104,14 @@ pub(crate) fn shown(value: &Bound<'_, PyAny>) -> String {
 /// frames : "ticks", "decisions" or None
 ///     Which frames are kept in `Run.frames`: all, those at which robots decide, or none. A run whose numbers over time
 ///     would take more than 2 GiB is refused before its first tick.
+/// law : callable, optional
+///     What levels the relays of a chain in place of the built-in law (Laclau 2021, Eq. 12): `law(seen) -> forward_mps` is
+///     asked for each relay at each of its decisions, with a `Seen`, and returns the forward speed (m/s), which is bounded
+///     by `equalize.v_max_mps`. All else stays the scenario's: take-off, filters, overrides, centering. An object with
+///     `start(uav, params) -> callable` is a law with a memory: `start` is called before a relay's first decision, and what
+///     it returns is asked for that relay. `uchain.batched(law)` is asked for all relays at once. Laws are called on a
+///     thread of the run's own, with the interpreter's lock. The same law, scenario and seed have the same bits if the law
+///     is a function of what it has seen.
 ///
 /// Returns
 /// -------
@@ -114,6 +123,8 @@ pub(crate) fn shown(value: &Bound<'_, PyAny>) -> String {
 ///     A scenario that cannot be flown.
 /// RecordingError
 ///     The recording cannot be written.
+/// LawError
+///     The law raised, or returned what is no finite number: the text says tick and relay, what it raised is `__cause__`.
 /// UchainError
 ///     The numbers over time would take too much memory.
 /// ValueError, TypeError
@@ -128,26 +139,40 @@ pub(crate) fn shown(value: &Bound<'_, PyAny>) -> String {
 /// (100, 4)
 /// >>> run.digest == uchain.run(run.scenario, seed=3, frames=None).digest
 /// True
+/// >>> uchain.run("straight", law=lambda seen: 0.05 * (seen.front_db - seen.back_db), frames=None).ok
+/// True
 #[pyfunction]
-#[pyo3(signature = (what, seed=Seed(0), record=None, *, frames=Frames(Some(Keep::Ticks))))]
-#[pyo3(text_signature = "(what, seed=0, record=None, *, frames='ticks')")]
-fn run(what: &Bound<'_, PyAny>, seed: Seed, record: Option<PathBuf>, frames: Frames) -> PyResult<Run> {
+#[pyo3(signature = (what, seed=Seed(0), record=None, *, frames=Frames(Some(Keep::Ticks)), law=None))]
+#[pyo3(text_signature = "(what, seed=0, record=None, *, frames='ticks', law=None)")]
+fn run(
+    what: &Bound<'_, PyAny>,
+    seed: Seed,
+    record: Option<PathBuf>,
+    frames: Frames,
+    law: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Run> {
     let scenario = Scenario::of(what)?;
     let scene = scenario.get().scene.clone();
-    fly(&scenario, &scene, seed.0, record, frames.0)
+    let Some(law) = law.map(OwnLaw::of).transpose()? else {
+        return fly(&scenario, &scene, seed.0, record, frames.0, |_| ());
+    };
+    let (scene, fault) = law.flying(what.py(), &scene)?;
+    let flown = fly(&scenario, &scene, seed.0, record, frames.0, |py| law.interrupt(py));
+    flown.map_err(|error| fault.take().unwrap_or(error))
 }
 
-/// Flies a scene of a scenario and keeps what comes of it.
-pub(crate) fn fly(
+/// Flies a scene of a scenario and keeps what comes of it. `interrupted` ends what is in Python at Ctrl-C.
+fn fly(
     scenario: &Bound<'_, Scenario>,
     scene: &Arc<dyn AnyScene>,
     seed: u64,
     record: Option<PathBuf>,
     frames: Option<Keep>,
+    interrupted: impl Fn(Python<'_>) + Send + Sync,
 ) -> PyResult<Run> {
     let py = scenario.py();
     let mut file = record.map(Unfinished::begin).transpose()?;
-    let flown = off_the_lock(
+    let flown = off_the_lock_until(
         py,
         |stop| {
             let to = file
@@ -156,6 +181,7 @@ pub(crate) fn fly(
             errors::caught(|| timed(|| scene.keep(seed, frames, to, &mut Stopped(stop))))
         },
         |_| Ok(()),
+        interrupted,
     )??;
     let (kept, wall_s): (Result<Box<dyn Kept>, RecordError>, f64) = flown;
     let kept = kept.map_err(|error| match (&error, &file) {

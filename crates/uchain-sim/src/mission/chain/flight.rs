@@ -69,14 +69,10 @@ impl Flight {
         recorder: &mut impl Recorder<Frame>,
     ) -> Result<Option<Stopped>, RecordError> {
         if self.stopped.is_none() {
-            let mut level_mps = level_mps;
-            loop {
-                self.under_way.mission_mut().conclude(level_mps, &mut self.commands);
-                self.stopped = self.under_way.act(&self.commands, recorder)?;
-                level_mps = &[];
-                if self.stopped.is_some() || self.under_way.mission().is_decision() {
-                    break;
-                }
+            self.under_way.mission_mut().conclude(level_mps, &mut self.commands);
+            self.stopped = self.under_way.act(&self.commands, recorder)?;
+            while self.stopped.is_none() && !self.under_way.mission().is_decision() {
+                self.stopped = self.under_way.tick(recorder)?;
             }
         }
         Ok(self.stopped)
@@ -98,6 +94,11 @@ impl Flight {
     /// The chain: bodies, members, what its UAVs believe.
     pub fn chain(&self) -> &Chain {
         self.under_way.mission()
+    }
+
+    /// What the last tick left behind; empty before the first one.
+    pub fn frame(&self) -> &Frame {
+        self.under_way.mission().frame()
     }
 
     /// Its seed.

@@ -1,0 +1,316 @@
+"""A law of one's own in Python: relay by relay, for all relays at once, in one run and in many."""
+
+import functools
+import pickle
+import subprocess
+import sys
+import traceback
+from typing import Any
+
+import numpy as np
+import pytest
+
+import uchain
+
+CORNER = uchain.Scenario.from_name("corner")
+STRAIGHT = uchain.Scenario.from_name("straight")
+# Relays take off within the first minute.
+SHORT = STRAIGHT.with_(duration_s=60)
+
+
+def eq_12(seen: uchain.Seen, gain: np.float32 = np.float32(1)) -> np.float32:
+    """Eq. 12 in float32, in the order of the built-in law, with its guards."""
+    params = seen.params
+    s_d = seen.front_db - seen.back_db
+    if not np.isfinite(s_d) or abs(s_d) <= params.tolerance_db:
+        return np.float32(0)
+    v_mps = s_d / (np.float32(3) * (gain * params.k_db_per_m)) / params.decision_s
+    return min(max(v_mps, -params.v_max_mps), params.v_max_mps)
+
+
+@uchain.batched
+def eq_12_of_all(seen: uchain.SeenArrays) -> np.ndarray:
+    params = seen.params
+    s_d = seen.front_db - seen.back_db
+    v_mps = np.clip(s_d / (np.float32(3) * params.k_db_per_m) / params.decision_s, -params.v_max_mps, params.v_max_mps)
+    return np.where(np.abs(s_d) <= params.tolerance_db, np.float32(0), v_mps)
+
+
+def stay(seen: Any) -> float:
+    return 0.0
+
+
+class Late:
+    """Has a memory for each relay: the speed of its last decision."""
+
+    def start(self, uav: int, params: uchain.LawParams) -> "Late.Relay":
+        return self.Relay(uav, params)
+
+    class Relay:
+        def __init__(self, uav: int, params: uchain.LawParams):
+            self.uav, self.params, self.last = uav, params, np.float32(0)
+
+        def __call__(self, seen: uchain.Seen) -> np.float32:
+            assert seen.uav == self.uav and seen.params.k_db_per_m == self.params.k_db_per_m
+            last, self.last = self.last, eq_12(seen)
+            return last
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("scenario", [CORNER, STRAIGHT], ids=["corner", "straight"])
+@pytest.mark.parametrize("law", [eq_12, eq_12_of_all], ids=["each", "together"])
+def test_a_law_that_computes_eq_12_has_the_digest_of_the_command_line(law, scenario, seed: int, summary_of):
+    run = uchain.run(scenario, seed, law=law)
+    wanted = summary_of(scenario.name, seed)
+    assert run.digest == wanted["digest"]
+    assert run.summary.verdict == wanted["verdict"]
+
+
+def test_control_other_laws_are_other_flights():
+    built_in = uchain.run(CORNER, 1).digest
+    others = [functools.partial(eq_12, gain=np.float32(1.001)), stay, Late(), uchain.batched(lambda seen: 0 * seen.uav)]
+    digests = [uchain.run(CORNER, 1, law=law, frames=None).digest for law in others]
+    assert built_in not in digests
+    assert digests[1] == digests[3] and len(set(digests)) == 3
+
+
+@pytest.mark.parametrize(
+    "sets",
+    [
+        {"link.signal": "raw"},
+        {"equalize.tolerance_db": 5.0},
+        {"equalize.decision_s": 0.1, "packets.delay_ticks": 6, "faults.burst_rate": 0.05},
+        {"equalize.k_db_per_m": 40, "equalize.v_max_mps": 0.15, "faults.dead": [{"uav": 1, "start_s": 50}]},
+    ],
+)
+def test_whatever_the_scenario_says_eq_12_is_eq_12(sets: dict[str, Any]):
+    scenario = CORNER.with_(**sets)
+    built_in = uchain.run(scenario, 5, frames=None)
+    for law in (eq_12, eq_12_of_all):
+        assert uchain.run(scenario, 5, law=law, frames=None).digest == built_in.digest
+
+
+def test_a_relay_sees_float32_and_no_place():
+    all_seen: list[uchain.Seen] = []
+
+    def law(seen: uchain.Seen) -> np.float32:
+        all_seen.append(seen)
+        return eq_12(seen)
+
+    uchain.run(SHORT, 1, law=law, frames=None)
+    seen = all_seen[-1]
+    numbers = [name for name in dir(seen) if name.endswith(("_db", "_mps", "_m", "silent_s"))]
+    assert len(numbers) == 11 and not {"x_m", "y_m"} & set(dir(seen))
+    assert all(type(getattr(seen, name)) is np.float32 for name in numbers)
+    params = [name for name in dir(seen.params) if not name.startswith("_")]
+    assert all(type(getattr(seen.params, name)) is np.float32 for name in params)
+    assert seen.uav in (1, 2, 3) and seen.place in (1, 2, 3)
+    assert seen.time_s == pytest.approx(seen.tick * 0.05) and seen.tick % 4 == 0
+    with pytest.raises(AttributeError):
+        seen.back_db = 3
+    with pytest.raises(AttributeError):
+        seen.more = 3
+    again = pickle.loads(pickle.dumps(seen))
+    assert all(getattr(again, name) == getattr(seen, name) for name in [*numbers, "uav", "place", "tick", "time_s"])
+    ticks = [seen.tick for seen in all_seen]
+    assert ticks == sorted(ticks)
+
+
+def test_each_relay_has_a_memory_of_its_own_and_each_run_begins_anew():
+    law = Late()
+    first = uchain.run(STRAIGHT, 1, law=law, frames=None)
+    assert uchain.run(STRAIGHT, 1, law=law, frames=None).digest == first.digest
+    assert first.digest != uchain.run(STRAIGHT, 1, frames=None).digest
+
+
+def raises_at(tick: int, error: BaseException):
+    def law(seen: uchain.Seen) -> np.float32:
+        if seen.tick >= tick:
+            raise error
+        return eq_12(seen)
+
+    return law
+
+
+def test_a_law_that_raises_ends_the_run_with_its_traceback_at_that_tick():
+    with pytest.raises(uchain.LawError, match=r"raised ValueError: too far, at tick 1000 \(50\.00 s\) for UAV \d") as told:
+        uchain.run(SHORT, 1, law=raises_at(1000, ValueError("too far")))
+    assert isinstance(told.value, uchain.UchainError)
+    assert isinstance(told.value.__cause__, ValueError)
+    frames = traceback.extract_tb(told.value.__cause__.__traceback__)
+    assert frames[-1].name == "law" and frames[-1].filename == __file__
+
+    @uchain.batched
+    def of_all(seen: uchain.SeenArrays) -> np.ndarray:
+        if seen.tick[0] >= 1000:
+            raise ValueError("too far")
+        return eq_12_of_all(seen)
+
+    with pytest.raises(uchain.LawError, match=r"raised ValueError: too far, at tick 1000 \(50\.00 s\) for UAV"):
+        uchain.run(SHORT, 1, law=of_all)
+
+
+def test_a_law_that_never_ends_is_ended_by_ctrl_c(tmp_path):
+    program = """
+import os, signal, threading, time
+import uchain
+
+def law(seen):
+    threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+    global start
+    start = time.monotonic()
+    while True:
+        pass
+
+try:
+    uchain.run("straight", law=LAW)
+except KeyboardInterrupt:
+    print("ended after", time.monotonic() - start)
+"""
+    for law in ("law", "uchain.batched(law)"):
+        command = [sys.executable, "-c", program.replace("LAW", law)]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        assert done.stdout.startswith("ended after"), done.stderr
+        assert float(done.stdout.split()[-1]) < 1.3
+
+
+def test_nothing_is_asked_after_a_law_has_raised():
+    asked = 0
+
+    def law(seen: uchain.Seen) -> float:
+        nonlocal asked
+        asked += 1
+        raise RuntimeError("once")
+
+    with pytest.raises(uchain.LawError, match="once"):
+        uchain.run(SHORT, law=law)
+    assert asked == 1
+
+
+class Odd:
+    def __repr__(self) -> str:
+        raise RuntimeError("no words")
+
+    def __float__(self) -> float:
+        raise RuntimeError("no number")
+
+
+NO_SPEED = [
+    None,
+    float("nan"),
+    float("inf"),
+    -np.inf,
+    np.float32("nan"),
+    1e39,
+    10**400,
+    "0.1",
+    b"0.1",
+    1j,
+    np.complex64(1),
+    True,
+    np.bool_(True),
+    [0.1],
+    (),
+    {},
+    np.zeros(2),
+    np.zeros(1),
+    np.zeros((1, 1), np.float32),
+    np.array("0.1"),
+    np.array(None),
+    np.datetime64("2021-01-01"),
+    Odd(),
+    Odd,
+    eq_12,
+]
+
+
+@pytest.mark.parametrize("answer", NO_SPEED, ids=[str(i) for i in range(len(NO_SPEED))])
+def test_what_is_no_speed_ends_the_run_and_names_tick_and_relay(answer: Any):
+    with pytest.raises(uchain.LawError, match=r"returned .*expected one finite number.*at tick \d+ \(.* s\) for UAV \d"):
+        uchain.run(SHORT, law=lambda seen: answer)
+
+
+@pytest.mark.parametrize("answer", [0, 0.0, np.float32(0), np.float64(0), np.int8(0), np.array(0.0), np.array(0, np.uint8)])
+def test_every_real_number_is_a_speed(answer: Any):
+    assert uchain.run(SHORT, law=lambda seen: answer, frames=None).digest == uchain.run(SHORT, law=stay, frames=None).digest
+
+
+NO_SPEEDS = [
+    None,
+    0.0,
+    [],
+    np.zeros(0),
+    np.zeros(7),
+    np.zeros((1, 1)),
+    np.zeros(1, complex),
+    np.zeros(1, bool),
+    np.array(["0.1"]),
+    np.array([None]),
+    "0.1",
+    np.array([np.nan]),
+    np.array([np.inf], np.float32),
+    np.array([1e39]),
+]
+
+
+@pytest.mark.parametrize("answer", NO_SPEEDS, ids=[str(i) for i in range(len(NO_SPEEDS))])
+def test_what_is_no_array_of_speeds_ends_the_run(answer: Any):
+    with pytest.raises(uchain.LawError, match=r"returned .*expected .*at tick \d+ \(.* s\) for UAV \d"):
+        uchain.run(SHORT, law=uchain.batched(lambda seen: answer))
+
+
+def test_a_speed_beyond_the_largest_is_bounded():
+    fast = uchain.run(SHORT, law=lambda seen: 1e9, frames=None)
+    assert fast.digest == uchain.run(SHORT, law=lambda seen: seen.params.v_max_mps, frames=None).digest
+
+
+@pytest.mark.parametrize("law", [3, "eq_12", None.__class__, object(), uchain.UchainError()], ids=str)
+def test_what_is_no_law_is_refused(law: Any):
+    with pytest.raises((TypeError, uchain.LawError), match="law"):
+        uchain.run(SHORT, law=law)
+    with pytest.raises(TypeError, match="law"):
+        uchain.batched(3)
+
+
+def test_an_exploration_has_no_relays_to_level():
+    with pytest.raises(ValueError, match="which has no relays: expected the scenario of a chain"):
+        uchain.run("lab", law=eq_12)
+
+
+def test_start_that_raises_or_gives_no_law_ends_the_run():
+    class Bad:
+        def start(self, uav: int, params: uchain.LawParams) -> Any:
+            raise KeyError("start")
+
+    with pytest.raises(uchain.LawError, match="raised KeyError: 'start'"):
+        uchain.run(SHORT, law=Bad())
+    Bad.start = lambda self, uav, params: 3
+    with pytest.raises(uchain.LawError, match="TypeError: 'int' object is not callable"):
+        uchain.run(SHORT, law=Bad())
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, SystemExit])
+def test_what_is_no_error_of_the_law_goes_on_as_it_is(error):
+    with pytest.raises(error):
+        uchain.run(SHORT, law=raises_at(900, error()))
+
+
+def test_a_law_is_recorded_under_its_name(tmp_path):
+    path = tmp_path / "run.mcap"
+    uchain.run(SHORT.with_(duration_s=5), law=eq_12, record=path)
+    assert b'brain = "python:eq_12"' in path.read_bytes()
+
+
+def test_a_decorated_law_is_still_a_law_and_is_pickled():
+    assert eq_12_of_all.law.__name__ == "eq_12_of_all"
+    again = pickle.loads(pickle.dumps(uchain.batched(stay)))
+    assert again.law is stay and again(None) == 0.0
+
+
+def test_a_law_may_fly_runs_itself():
+    def law(seen: uchain.Seen) -> np.float32:
+        if seen.tick == 1000:
+            uchain.run(SHORT.with_(duration_s=50), 3, law=stay, frames=None)
+        return eq_12(seen)
+
+    assert uchain.run(SHORT, 1, law=law).digest == uchain.run(SHORT, 1).digest
