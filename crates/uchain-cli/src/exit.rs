@@ -14,7 +14,7 @@ use uchain_sim::{
         RecordError,
         mcap::{About, PlayError, ReadError},
     },
-    registry::FlightError,
+    registry::{FlightError, PlanRequestError},
     sweep::{DesignError, folder::FolderError, report::ReportError},
 };
 
@@ -128,6 +128,23 @@ impl From<FlightError> for Failure {
             FlightError::Draw(error) => Self::Draw(error),
             FlightError::Json(error) => Self::Json(error),
             error => Self::Flight(error),
+        }
+    }
+}
+
+impl From<PlanRequestError> for Failure {
+    fn from(error: PlanRequestError) -> Self {
+        match error {
+            PlanRequestError::Config(error) => Self::Input(error),
+            PlanRequestError::BareMap { map, needs_base, needs_goal } => {
+                let missing = match (needs_base, needs_goal) {
+                    (true, false) => "--base X,Y",
+                    (false, true) => "--goal X,Y",
+                    _ => "--base X,Y and --goal X,Y",
+                };
+                Self::BareMap { map, missing }
+            }
+            error => Self::Map(error.to_string()),
         }
     }
 }

@@ -96,13 +96,13 @@ pub struct Rows<R: 'static> {
     name: &'static str,
     series: &'static [Series<R>],
     values: Vec<Values>,
-    rows: usize,
+    count: usize,
     crew: usize,
 }
 
 impl<R: 'static> std::fmt::Debug for Rows<R> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Rows").field("name", &self.name).field("rows", &self.rows).finish_non_exhaustive()
+        f.debug_struct("Rows").field("name", &self.name).field("count", &self.count).finish_non_exhaustive()
     }
 }
 
@@ -118,7 +118,7 @@ impl<R: 'static> Rows<R> {
         most_rows: u64,
     ) -> Result<Self, RecordError> {
         let values = series.iter().map(|(_, read)| read.values()).collect();
-        let rows = Self { name, series, values, rows: 0, crew };
+        let rows = Self { name, series, values, count: 0, crew };
         rows.check(most_rows)?;
         Ok(rows)
     }
@@ -140,9 +140,9 @@ impl<R: 'static> Rows<R> {
     /// # Errors
     /// [`RecordError::TooMuch`]: nobody knew that there would be so many.
     pub fn push(&mut self, row: &R) -> Result<(), RecordError> {
-        self.check(self.rows as u64 + 1)?;
-        self.rows += 1;
-        let full = self.rows * self.crew;
+        self.check(self.count as u64 + 1)?;
+        self.count += 1;
+        let full = self.count * self.crew;
         for ((_, read), values) in self.series.iter().zip(&mut self.values) {
             match (read, values) {
                 (Read::Number(of), Values::Numbers(to)) => to.push(of(row)),
@@ -180,7 +180,7 @@ impl<R: 'static> Rows<R> {
             is_per_robot: read.is_per_robot(),
             values,
         });
-        Table { name: self.name, rows: self.rows, crew: self.crew, columns: columns.collect() }
+        Table { name: self.name, rows: self.count, crew: self.crew, columns: columns.collect() }
     }
 }
 

@@ -108,7 +108,7 @@ pub(super) fn keep<S: Whole>(
     });
     let mut recorder = recorder.transpose()?;
     let flown = fly(scene, seed, &mut (&mut keeper, &mut recorder))?;
-    recorder.map(|recorder| recorder.finish()).transpose()?;
+    recorder.map(McapRecorder::finish).transpose()?;
     Ok(keeper.results(scene.clone(), flown, true))
 }
 

@@ -8,6 +8,7 @@ mod kept;
 #[cfg(feature = "sweep")]
 mod keys;
 mod mission;
+mod plan;
 #[cfg(all(feature = "record", feature = "draw"))]
 mod recording;
 mod scene;
@@ -31,6 +32,7 @@ pub use kept::Kept;
 #[cfg(feature = "sweep")]
 pub(crate) use keys::ValueKind;
 pub use mission::{AnyMission, Flown, Of, Whole};
+pub use plan::{PlanArgument, PlanFor, PlanRequest, PlanRequestError};
 #[cfg(all(feature = "record", feature = "draw"))]
 pub use recording::{AnyRecording, Inspection};
 pub use scene::AnyScene;

@@ -22,7 +22,7 @@ use crate::{
         Comparison,
         mcap::{About, End, Opened, PlayError, ReadError},
     },
-    replay::{DiffError, Recording, Verdict, diff, verify},
+    replay::{DiffError, Recording, Verdict, diff, verify_while},
     run::{MetricsOf, SummaryOf},
 };
 
@@ -64,7 +64,15 @@ pub trait AnyRecording {
     ///
     /// # Errors
     /// [`ReadError`].
-    fn verify(&mut self) -> Result<Verdict, ReadError>;
+    fn verify(&mut self) -> Result<Verdict, ReadError> {
+        self.verify_while(&mut || true)
+    }
+
+    /// Flies it again as long as somebody wants to go on: see [`verify_while`](crate::replay::verify_while).
+    ///
+    /// # Errors
+    /// [`ReadError`].
+    fn verify_while(&mut self, go_on: &mut dyn FnMut() -> bool) -> Result<Verdict, ReadError>;
 
     /// Compares what is left of it with another one of the same mission, and reads both to their ends; `None` for one of
     /// another mission.
@@ -161,8 +169,8 @@ impl<S: Whole> AnyRecording for Recording<Input, S> {
         Ok(Arc::new(Laid(self.scene()?)))
     }
 
-    fn verify(&mut self) -> Result<Verdict, ReadError> {
-        verify(self)
+    fn verify_while(&mut self, go_on: &mut dyn FnMut() -> bool) -> Result<Verdict, ReadError> {
+        verify_while(self, go_on)
     }
 
     fn diff(&mut self, there: &mut dyn AnyRecording) -> Result<Option<Comparison>, DiffError> {

@@ -4,7 +4,7 @@ mod recording;
 #[cfg(test)]
 mod tests;
 
-use std::io::Read;
+use std::io::{self, Read};
 
 use uchain_core::params::OutOfRange;
 
@@ -63,10 +63,23 @@ impl Verdict {
 pub fn verify<R: Read, S: Scene<Mission: Recorded>>(
     recording: &mut Recording<R, S>,
 ) -> Result<Verdict, ReadError> {
+    verify_while(recording, &mut || true)
+}
+
+/// Like [`verify`], as long as whoever asked for it wants to go on, which is asked at every tick.
+///
+/// # Errors
+/// Those of [`verify`]; [`ReadError::Io`] of an interruption.
+pub fn verify_while<R: Read, S: Scene<Mission: Recorded>>(
+    recording: &mut Recording<R, S>,
+    go_on: &mut dyn FnMut() -> bool,
+) -> Result<Verdict, ReadError> {
+    let mut wanted = || if go_on() { Ok(()) } else { Err(io::Error::from(io::ErrorKind::Interrupted)) };
     let mut mission = S::Mission::start(recording.scene()?, recording.about.seed);
     let (mut recorded, mut first) = (FrameOf::<S>::default(), None);
     let (mut ticks, mut of, mut over) = (0, 0, false);
     while first.is_none() && recording.frames.read(&mut recorded)? {
+        wanted()?;
         if over {
             let why = format!("it goes on after the {ticks} ticks of its scenario");
             return Err(ReadError::Frame { tick: ticks, why });
@@ -84,6 +97,7 @@ pub fn verify<R: Read, S: Scene<Mission: Recorded>>(
         return Err(ReadError::NoFrames);
     }
     while first.is_none() && !over {
+        wanted()?;
         over = !matches!(mission.step(&mut ()), Ok(None));
         of += 1;
     }

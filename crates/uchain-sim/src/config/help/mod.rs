@@ -1,6 +1,7 @@
 //! What every key of a scenario means. All of it is read off the declarations beside the laws, as the missions hand
 //! them in: there is no second list.
 
+mod card;
 mod schema;
 pub(crate) mod shape;
 #[cfg(test)]

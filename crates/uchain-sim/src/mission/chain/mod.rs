@@ -50,9 +50,9 @@ pub use metrics::{LinkSummary, Metrics, Summary, Timeline};
 #[cfg(feature = "draw")]
 pub use picture::{plan_png, run_picture, run_png};
 use pilot::Steering;
-pub use scene::plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan};
+pub use scene::plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan, plan_while};
 pub use scene::{Course, CourseOptimum, Spawn};
-pub use shown::{Moments, ThinnedHistory};
+pub use shown::{Moments, PlanSteps, PlanTable, ThinnedHistory};
 
 /// A chain under way, of UAVs with the brains that its scenario asks for.
 pub type Chain<R = GridRays> = ChainOf<AnyBrain, R>;

@@ -166,7 +166,7 @@ pub(super) fn graph(history: &ExploreHistory) -> Graph {
         |name, of: fn(&NodeFrame) -> u32| column(name, Values::Counts(nodes.iter().map(of).collect()));
     let columns = vec![
         counts("robot", |node| node.id.robot.into()),
-        counts("number", |node| node.id.number.into()),
+        counts("number", |node| node.id.number),
         singles("x_m", |node| node.at_m[0]),
         singles("y_m", |node| node.at_m[1]),
         singles("believed_x_m", |node| node.believed_m[0]),

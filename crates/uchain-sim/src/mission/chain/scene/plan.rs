@@ -41,6 +41,9 @@ pub enum PlanError {
         /// The depth asked for (m).
         to_m: f64,
     },
+    /// Nobody wants it any more.
+    #[error("interrupted")]
+    Interrupted,
 }
 
 /// The best chains against the head's depth, and the time they take. Nothing is simulated: relays are taken to stand
@@ -118,6 +121,20 @@ pub struct PlanRow {
 /// A tunnel of unknown middle; a depth beyond its end; a depth or a step that is not positive; more than
 /// [`MOST_ROWS`] rows.
 pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64, uavs: Option<usize>) -> Result<Plan, PlanError> {
+    plan_while(course, to_m, step_m, uavs, &mut || true)
+}
+
+/// Like [`plan`], as long as whoever asked for it wants to go on, which is asked before every row.
+///
+/// # Errors
+/// Those of [`plan`], and [`PlanError::Interrupted`].
+pub fn plan_while(
+    course: &Course,
+    to_m: Option<f64>,
+    step_m: f64,
+    uavs: Option<usize>,
+    go_on: &mut dyn FnMut() -> bool,
+) -> Result<Plan, PlanError> {
     let optimum = course.optimum().ok_or(PlanError::NoTunnel)?;
     let tunnel_m = optimum.tunnel().length_m();
     let to_m = to_m.unwrap_or(tunnel_m);
@@ -152,6 +169,9 @@ pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64, uavs: Option<usize>
     };
     let mut feasible_so_far = true;
     for step in 1..=steps as usize {
+        if !go_on() {
+            return Err(PlanError::Interrupted);
+        }
         let depth_m = (step as f64 * step_m).min(to_m).min(tunnel_m);
         let links = optimum.links_needed(depth_m);
         let listed = bounded(links.or(uavs).unwrap_or(MOST_LISTED), 1, MOST_LISTED);

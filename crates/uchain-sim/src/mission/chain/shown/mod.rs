@@ -1,6 +1,7 @@
 //! What people see of a chain.
 
 mod history;
+mod plan;
 mod words;
 
 use std::sync::Arc;
@@ -14,6 +15,7 @@ use crate::{
 };
 
 pub use history::ThinnedHistory;
+pub use plan::{PlanSteps, PlanTable};
 
 impl Shown for Chain {
     type History = ThinnedHistory;

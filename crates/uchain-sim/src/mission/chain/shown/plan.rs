@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use uchain_sim::{
+use crate::{
     analyse::optimum::MOST_LINKS,
     mission::chain::{Plan, PlanRow},
 };
@@ -15,17 +15,18 @@ const FINER: f64 = 5.0;
 const FINER_TO_M: f64 = 200.0;
 
 /// How finely the depth is divided.
-pub(super) struct Steps {
+#[derive(Debug, Clone, Copy)]
+pub struct PlanSteps {
     /// In the plan (m).
-    pub(super) plan_m: f64,
+    pub plan_m: f64,
     /// In the table (m).
-    pub(super) table_m: f64,
+    pub table_m: f64,
 }
 
-impl Steps {
+impl PlanSteps {
     /// As asked for; else the least round step that gives at most 20 rows down to `to_m`, and a fifth of it in
     /// the files of a tunnel of usual length.
-    pub(super) fn new(to_m: f64, asked_m: Option<f64>) -> Self {
+    pub fn new(to_m: f64, asked_m: Option<f64>) -> Self {
         if let Some(step_m) = asked_m {
             return Self { plan_m: step_m, table_m: step_m };
         }
@@ -44,13 +45,15 @@ impl Steps {
 }
 
 /// A plan and the rows of it that are shown.
-pub(super) struct Table<'a> {
+#[derive(Debug)]
+pub struct PlanTable<'a> {
     plan: &'a Plan,
     shown: Vec<&'a PlanRow>,
 }
 
-impl<'a> Table<'a> {
-    pub(super) fn new(plan: &'a Plan, steps: &Steps) -> Self {
+impl<'a> PlanTable<'a> {
+    /// Of a plan that was made in these steps.
+    pub fn new(plan: &'a Plan, steps: &PlanSteps) -> Self {
         let round = |row: &PlanRow| {
             let steps = row.depth_m / steps.table_m;
             steps > 0.5 && (steps - steps.round()).abs() < 1e-6
@@ -64,8 +67,8 @@ impl<'a> Table<'a> {
         Self { plan, shown }
     }
 
-    /// Title, rows, answer, files.
-    pub(super) fn text(&self, files: &str) -> String {
+    /// Title, rows, answer.
+    pub fn text(&self) -> String {
         let plan = self.plan;
         let speed =
             plan.speed_mps.map(|mps| format!(", the head at {} m/s", rounded(mps))).unwrap_or_default();
@@ -90,12 +93,12 @@ impl<'a> Table<'a> {
                 self.verdict(row),
             );
         }
-        let _ = writeln!(text, "\n{}\nfiles: {files}", self.answer());
+        let _ = writeln!(text, "\n{}", self.answer());
         text
     }
 
     /// What the planner wants to know, in one sentence.
-    pub(super) fn answer(&self) -> String {
+    pub fn answer(&self) -> String {
         let plan = self.plan;
         let Some(last) = plan.rows.last() else { return "There is nothing to plan.".to_owned() };
         let depth_m = rounded(last.depth_m);
@@ -194,7 +197,7 @@ mod tests {
     fn ten_to_twenty_rows_are_shown_whatever_the_depth() {
         let mut to_m = 0.3;
         while to_m < 100_000.0 {
-            let rows = to_m / Steps::new(to_m, None).table_m;
+            let rows = to_m / PlanSteps::new(to_m, None).table_m;
             assert!((10.0 - 1e-9..=20.0).contains(&rows), "{to_m} m: {rows}");
             to_m *= 1.005;
         }
