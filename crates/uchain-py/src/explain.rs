@@ -14,7 +14,7 @@ use crate::{errors, registry};
 ///
 /// >>> [sigma] = uchain.explain("sigma_db")
 /// >>> sigma.key, sigma.unit, sigma.range
-/// ('radio.sigma_db', 'dB', (0.0, 100.0))
+/// ('radio.sigma_db', 'dB', (0.0, 50.0))
 #[pyclass(frozen, module = "uchain")]
 pub(crate) struct Explanation(help::Explanation);
 
@@ -90,19 +90,19 @@ impl Explanation {
     /// The words that may stand here and what they mean: a dict, empty where any may.
     #[getter]
     fn choices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        pairs(py, self.0.choices.iter().map(|(word, meaning)| (word, meaning)))
+        pairs(py, self.0.choices.iter().map(|(word, meaning)| (word.as_str(), meaning.as_str())))
     }
 
     /// What presets write here: a dict of names and values in TOML.
     #[getter]
     fn presets<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        pairs(py, self.0.presets.iter().map(|written| (&written.by, &written.value)))
+        pairs(py, self.0.presets.iter().map(|written| (written.by, written.value.as_str())))
     }
 
     /// What scenarios that come along write here: a dict of names and values in TOML.
     #[getter]
     fn scenarios<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        pairs(py, self.0.scenarios.iter().map(|written| (&written.by, &written.value)))
+        pairs(py, self.0.scenarios.iter().map(|written| (written.by, written.value.as_str())))
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
@@ -137,7 +137,7 @@ impl Explanation {
 
 fn pairs<'a, 'py>(
     py: Python<'py>,
-    pairs: impl Iterator<Item = (&'a String, &'a String)>,
+    pairs: impl Iterator<Item = (&'a str, &'a str)>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);
     for (name, value) in pairs {
@@ -167,7 +167,7 @@ fn pairs<'a, 'py>(
 /// Examples
 /// --------
 /// >>> [key.key for key in uchain.explain("packets")][:2]
-/// ['packets', 'packets.limit_db']
+/// ['packets', 'packets.drop_rate']
 /// >>> uchain.explain("sigma")
 /// Traceback (most recent call last):
 /// ...

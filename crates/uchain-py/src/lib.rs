@@ -12,8 +12,11 @@ use uchain_libm as _;
 mod command;
 mod env;
 mod errors;
+mod explain;
 mod laws;
 mod own_law;
+mod plan;
+mod recording;
 mod run;
 mod scenario;
 mod sweep;
@@ -48,6 +51,9 @@ pub fn fill(module: &Bound<'_, PyModule>, missions: Registry) -> PyResult<()> {
     scenario::fill(module)?;
     run::fill(module)?;
     sweep::fill(module)?;
+    recording::fill(module)?;
+    plan::fill(module)?;
+    explain::fill(module)?;
     belongs(module, &package(module)?)?;
     laws::fill(module)
 }

@@ -103,7 +103,7 @@ fn played(path: &Path, about: &About, cause: PlayError) -> PyErr {
 
 #[pymethods]
 impl Recording {
-    /// The file.
+    /// The path of its file, absolute.
     #[getter]
     fn path(&self) -> String {
         self.path.display().to_string()
@@ -157,7 +157,11 @@ impl Recording {
 
     /// How pickle makes one.
     #[classmethod]
-    fn _unpickled<'py>(cls: &Bound<'py, PyType>, path: PathBuf, frames: Frames) -> PyResult<Bound<'py, Self>> {
+    fn _unpickled<'py>(
+        cls: &Bound<'py, PyType>,
+        path: PathBuf,
+        frames: Frames,
+    ) -> PyResult<Bound<'py, Self>> {
         read(cls.py(), path, frames.0)
     }
 }

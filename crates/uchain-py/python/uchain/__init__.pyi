@@ -12,11 +12,15 @@ __all__ = [
     "ChainEnv",
     "Columns",
     "Event",
+    "Explanation",
     "Graph",
     "LawError",
     "LawParams",
+    "Optimum",
     "Picture",
+    "Plan",
     "Progress",
+    "Recording",
     "RecordingError",
     "Report",
     "Run",
@@ -30,13 +34,19 @@ __all__ = [
     "Tidy",
     "Truth",
     "UchainError",
+    "Verification",
     "__version__",
     "batched",
     "concat",
+    "explain",
     "main",
     "open_sweep",
+    "optimum",
+    "plan",
+    "read_recording",
     "run",
     "scenarios",
+    "schema",
     "sweep",
 ]
 
@@ -202,6 +212,122 @@ class Picture:
     def __bytes__(self) -> bytes: ...
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self) -> int: ...
+
+# --- recordings
+
+@final
+class Recording(Run):
+    @property
+    def path(self) -> str: ...
+    @property
+    def version(self) -> str: ...
+    @property
+    def ticks(self) -> int: ...
+    @property
+    def whole(self) -> bool: ...
+    def verify(self) -> Verification: ...
+
+@final
+class Verification:
+    @property
+    def same(self) -> bool: ...
+    @property
+    def ticks(self) -> int: ...
+    @property
+    def of_ticks(self) -> int: ...
+    @property
+    def whole(self) -> bool | None: ...
+    @property
+    def difference(self) -> str | None: ...
+    @property
+    def reasons(self) -> list[str]: ...
+    def __bool__(self) -> bool: ...
+
+def read_recording(
+    path: str | PathLike[str], *, frames: Literal["ticks", "decisions"] | None = "ticks"
+) -> Recording: ...
+
+# --- before anyone flies
+
+@final
+class Plan:
+    @property
+    def summary(self) -> Summary: ...
+    @property
+    def rows(self) -> Columns: ...
+    @property
+    def bottleneck_by_links_db(self) -> NDArray[np.float64]: ...
+    @property
+    def answer(self) -> str: ...
+    @property
+    def uavs_needed(self) -> int | None: ...
+    def plot(self, path: str | PathLike[str] | None = None) -> Picture: ...
+
+def plan(
+    what: str | PathLike[str] | Scenario,
+    *,
+    to_m: float | None = None,
+    step_m: float | None = None,
+    uavs: int | None = None,
+    speed_mps: float | None = None,
+    base_m: tuple[float, float] | None = None,
+    goal_m: tuple[float, float] | None = None,
+    heading_deg: float | None = None,
+) -> Plan: ...
+@final
+class Optimum:
+    @property
+    def relays(self) -> int: ...
+    @property
+    def bottleneck_db(self) -> float: ...
+    @property
+    def depths_m(self) -> NDArray[np.float64]: ...
+    @property
+    def places_m(self) -> NDArray[np.float32]: ...
+    @property
+    def link_loss_db(self) -> NDArray[np.float64]: ...
+
+def optimum(
+    what: str | PathLike[str] | Scenario, head_depth_m: float | None = None, relays: int | None = None
+) -> Optimum: ...
+
+# --- what keys mean
+
+@final
+class Explanation:
+    @property
+    def key(self) -> str: ...
+    @property
+    def is_table(self) -> bool: ...
+    @property
+    def meaning(self) -> str: ...
+    @property
+    def symbol(self) -> str | None: ...
+    @property
+    def equation(self) -> str | None: ...
+    @property
+    def source(self) -> str | None: ...
+    @property
+    def kind(self) -> str: ...
+    @property
+    def unit(self) -> str | None: ...
+    @property
+    def range(self) -> tuple[float, float] | None: ...
+    @property
+    def default(self) -> str | None: ...
+    @property
+    def required(self) -> bool: ...
+    @property
+    def choices(self) -> dict[str, str]: ...
+    @property
+    def presets(self) -> dict[str, str]: ...
+    @property
+    def scenarios(self) -> dict[str, str]: ...
+    def __eq__(self, value: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
+
+def explain(key: str | None = None) -> tuple[Explanation, ...]: ...
+def schema() -> dict[str, Any]: ...
 
 # --- what summaries have; for `typing.cast`
 

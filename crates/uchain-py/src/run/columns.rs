@@ -35,7 +35,7 @@ pub(crate) struct Columns {
 }
 
 impl Columns {
-    pub(super) fn of(py: Python<'_>, table: Table) -> PyResult<Self> {
+    pub(crate) fn of(py: Python<'_>, table: Table) -> PyResult<Self> {
         let (arrays, words) = (PyDict::new(py), PyDict::new(py));
         let Table { name, rows, crew, columns } = table;
         for column in columns {
@@ -74,7 +74,7 @@ impl Columns {
 }
 
 /// Values as an array, in the memory they are in.
-pub(super) fn array<T: Element>(
+pub(crate) fn array<T: Element>(
     py: Python<'_>,
     values: Vec<T>,
     rows: usize,

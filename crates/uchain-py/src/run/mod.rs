@@ -27,6 +27,7 @@ use uchain_sim::{
 };
 
 use crate::{errors, own_law::OwnLaw, scenario::Scenario, work::off_the_lock_until};
+pub(crate) use columns::{Columns, array};
 use file::Unfinished;
 pub(crate) use picture::Picture;
 pub(crate) use results::Run;

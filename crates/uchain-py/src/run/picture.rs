@@ -42,7 +42,7 @@ impl Picture {
     /// Writes the picture into a file, whatever was there before.
     ///
     /// Raises `OSError` if that cannot be done.
-    pub(super) fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+    pub(crate) fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         let bytes = self.0.as_bytes(py);
         py.detach(|| std::fs::write(&path, bytes)).map_err(|cause| {
             let text = format!("{}: cannot write the picture: {cause}", path.display());
