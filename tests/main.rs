@@ -14,6 +14,8 @@ mod exploring;
 mod extremes;
 /// A tick in halves is the tick as a whole.
 mod halves;
+/// All of a run at once, flown or recorded.
+mod kept;
 /// What is said of files that are wrong.
 mod messages;
 /// The papers' figures and tables are what the report says.

@@ -91,7 +91,7 @@ impl Run {
         let known: Vec<String> = tables.keys().iter().map(|key| key.to_string()).collect();
         let mission = self.scenario.get().mission();
         Err(PyAttributeError::new_err(if known.is_empty() {
-            format!("no {name}: they were not kept (frames=None)")
+            format!("no {name}: they were not kept (frames=None), or a run of this mission has none")
         } else {
             format!(
                 "the run of a scenario of this mission ({mission}) has no {name}: it has {}",
