@@ -57,6 +57,7 @@ def test_it_is_flown_again_and_the_first_bit_that_differs_is_named(both: tuple[u
     verified = uchain.read_recording(path, frames=None).verify()
     assert verified and verified.same and verified.difference is None and verified.reasons == []
     assert verified.ticks == verified.of_ticks and verified.whole
+    assert repr(pickle.loads(pickle.dumps(verified))) == repr(verified)
     # The same bytes with another seed in them: the entry brings its own checksum, so that is a damaged file.
     other = path.with_name("other.mcap")
     other.write_bytes(path.read_bytes())

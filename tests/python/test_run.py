@@ -10,6 +10,7 @@ import sys
 import textwrap
 import threading
 import time
+import tomllib
 from typing import Any
 
 import numpy as np
@@ -143,6 +144,14 @@ def test_an_exploration_has_rounds_and_a_graph(apartment: uchain.Run):
     np.testing.assert_allclose(steps_m, apartment.summary.distance_m, rtol=0.02)
     with pytest.raises(AttributeError, match="has no links: it has frames, rounds"):
         apartment.links
+
+
+def test_places_are_in_the_maps_frame_whose_origin_is_known(apartment: uchain.Run):
+    spawns_m = np.array(tomllib.loads(apartment.scenario.toml)["explore"]["spawns_m"])[:3]
+    at_m = np.stack([apartment.frames["x_m"][0], apartment.frames["y_m"][0]], axis=1)
+    offset_m = np.array(apartment.scenario.map_offset_m)
+    assert np.abs(offset_m).max() > 1, "the control"
+    np.testing.assert_allclose(at_m + offset_m, spawns_m, atol=0.1)
 
 
 def test_the_graph_is_one_of_networkx(apartment: uchain.Run):

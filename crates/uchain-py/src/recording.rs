@@ -69,6 +69,28 @@ impl Verification {
         self.same
     }
 
+    #[expect(clippy::type_complexity, reason = "what pickle asks for: how to make it, and of what")]
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<(Bound<'py, PyAny>, (bool, u64, u64, Option<bool>, Option<String>, Vec<String>))> {
+        let Self { same, ticks, of_ticks, whole, difference, reasons } = slf.get();
+        let parts = (*same, *ticks, *of_ticks, *whole, difference.clone(), reasons.clone());
+        Ok((slf.get_type().getattr("_unpickled")?, parts))
+    }
+
+    /// How pickle makes one.
+    #[staticmethod]
+    fn _unpickled(
+        same: bool,
+        ticks: u64,
+        of_ticks: u64,
+        whole: Option<bool>,
+        difference: Option<String>,
+        reasons: Vec<String>,
+    ) -> Self {
+        Self { same, ticks, of_ticks, whole, difference, reasons }
+    }
+
     fn __repr__(&self) -> String {
         let Self { ticks, of_ticks, .. } = self;
         match &self.difference {
@@ -145,6 +167,7 @@ impl Recording {
     }
 
     /// Pickled as the path of its file.
+    #[expect(clippy::type_complexity, reason = "what pickle asks for: how to make it, and of what")]
     fn __reduce__<'py>(
         slf: &Bound<'py, Self>,
     ) -> PyResult<(Bound<'py, PyAny>, (PathBuf, Option<&'static str>))> {
@@ -162,7 +185,7 @@ impl Recording {
         path: PathBuf,
         frames: Frames,
     ) -> PyResult<Bound<'py, Self>> {
-        read(cls.py(), path, frames.0)
+        read(cls.py(), &path, frames.0)
     }
 }
 
@@ -198,12 +221,12 @@ impl Recording {
 #[pyo3(signature = (path, *, frames=Frames(Some(Keep::Ticks))))]
 #[pyo3(text_signature = "(path, *, frames='ticks')")]
 fn read_recording(py: Python<'_>, path: PathBuf, frames: Frames) -> PyResult<Bound<'_, Recording>> {
-    read(py, path, frames.0)
+    read(py, &path, frames.0)
 }
 
-fn read(py: Python<'_>, path: PathBuf, frames: Option<Keep>) -> PyResult<Bound<'_, Recording>> {
+fn read<'py>(py: Python<'py>, path: &Path, frames: Option<Keep>) -> PyResult<Bound<'py, Recording>> {
     // It may be read again from another working folder.
-    let path = std::path::absolute(&path)
+    let path = std::path::absolute(path)
         .map_err(|cause| RecordingError::new_err(format!("{}: {cause}", path.display())))?;
     let (kept, scene, about) = off_the_lock(
         py,

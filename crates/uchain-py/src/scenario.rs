@@ -223,6 +223,13 @@ impl Scenario {
         flat.reshape([walls.len(), 2, 2])
     }
 
+    /// Where the origin of the map's frame, which frames and walls are in, lies in the frame of the map's file, which keys of
+    /// the scenario are in (m): x and y.
+    #[getter]
+    fn map_offset_m(&self) -> (f64, f64) {
+        self.scene.map().offset_m().into()
+    }
+
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
         other.cast::<Self>().is_ok_and(|other| {
             let other = other.get();

@@ -62,7 +62,7 @@ impl Plan {
     #[pyo3(signature = (path=None))]
     fn plot(&self, py: Python<'_>, path: Option<PathBuf>) -> PyResult<Py<Picture>> {
         if let Some(path) = path {
-            self.picture.get().save(py, path)?;
+            self.picture.get().write(py, &path)?;
         }
         Ok(self.picture.clone_ref(py))
     }

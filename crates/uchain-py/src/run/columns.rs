@@ -1,6 +1,8 @@
 //! Numbers over time, as arrays of numpy.
 
 use super::arrow::Tidy;
+use std::fmt::Write as _;
+
 use numpy::{Element, PyArray1, PyArray2, PyUntypedArrayMethods, ndarray::Array2};
 use pyo3::{
     exceptions::{PyKeyError, PyValueError},
@@ -179,7 +181,8 @@ impl Columns {
             let array = array.cast_into::<numpy::PyUntypedArray>()?;
             let (name, dtype) = (name.to_string(), array.dtype().to_string());
             let shape: Vec<String> = array.shape().iter().map(usize::to_string).collect();
-            text += &format!("\n  {name:<16} {dtype:<8} ({})", shape.join(", "));
+            // Writing to a String cannot fail.
+            let _ = write!(text, "\n  {name:<16} {dtype:<8} ({})", shape.join(", "));
         }
         Ok(text + ">")
     }

@@ -8,7 +8,7 @@ use uchain_sim::record;
 /// >>> run = uchain.run(uchain.Scenario.from_name("straight").with_(duration_s=5))
 /// >>> run.events[0].kind, run.events[0].robot, run.events[0].text
 /// ('took-off', 0, 'UAV 0, the head: took off')
-#[pyclass(frozen, eq, hash, get_all, module = "uchain")]
+#[pyclass(frozen, eq, get_all, module = "uchain")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Event {
     /// Simulated time (s).
@@ -23,14 +23,8 @@ pub(crate) struct Event {
     text: String,
 }
 
-impl std::hash::Hash for Event {
-    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
-        (self.time_s.to_bits(), &self.gravity, &self.kind, self.robot, &self.text).hash(state);
-    }
-}
-
 impl Event {
-    pub(super) fn all<'py>(py: Python<'py>, events: Vec<record::Event>) -> PyResult<Bound<'py, PyTuple>> {
+    pub(super) fn all(py: Python<'_>, events: Vec<record::Event>) -> PyResult<Bound<'_, PyTuple>> {
         let events = events.into_iter().map(|event| Self {
             time_s: event.time_s(),
             gravity: event.gravity.word().to_owned(),
@@ -55,6 +49,10 @@ impl Event {
     ) -> (Bound<'py, PyAny>, (f64, String, String, Option<usize>, String)) {
         let Self { time_s, gravity, kind, robot, text } = slf.get().clone();
         (slf.get_type().into_any(), (time_s, gravity, kind, robot, text))
+    }
+
+    fn __hash__(&self, py: Python<'_>) -> PyResult<isize> {
+        (self.time_s, &self.gravity, &self.kind, self.robot, &self.text).into_pyobject(py)?.hash()
     }
 
     fn __repr__(&self) -> String {

@@ -1,6 +1,6 @@
 //! A picture, as notebooks and files want it.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use pyo3::{exceptions::PyValueError, prelude::*, types::PyBytes};
 
@@ -11,6 +11,15 @@ pub(crate) struct Picture(Py<PyBytes>);
 impl Picture {
     pub(crate) fn of(py: Python<'_>, png: &[u8]) -> Self {
         Self(PyBytes::new(py, png).unbind())
+    }
+
+    /// Into a file.
+    pub(crate) fn write(&self, py: Python<'_>, path: &Path) -> PyResult<()> {
+        let bytes = self.0.as_bytes(py);
+        py.detach(|| std::fs::write(path, bytes)).map_err(|cause| {
+            let text = format!("{}: cannot write the picture: {cause}", path.display());
+            std::io::Error::new(cause.kind(), text).into()
+        })
     }
 }
 
@@ -42,12 +51,9 @@ impl Picture {
     /// Writes the picture into a file, whatever was there before.
     ///
     /// Raises `OSError` if that cannot be done.
-    pub(crate) fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        let bytes = self.0.as_bytes(py);
-        py.detach(|| std::fs::write(&path, bytes)).map_err(|cause| {
-            let text = format!("{}: cannot write the picture: {cause}", path.display());
-            std::io::Error::new(cause.kind(), text).into()
-        })
+    #[expect(clippy::needless_pass_by_value, reason = "an argument from Python")]
+    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        self.write(py, &path)
     }
 
     fn __bytes__(&self, py: Python<'_>) -> Py<PyBytes> {

@@ -1,6 +1,7 @@
 //! What a run leaves behind.
 
 use std::{
+    fmt::Write as _,
     path::PathBuf,
     sync::{Mutex, PoisonError},
 };
@@ -193,7 +194,7 @@ impl Run {
     fn plot(&self, py: Python<'_>, path: Option<PathBuf>) -> PyResult<Picture> {
         let picture = Picture::of(py, &self.png(py)?);
         if let Some(path) = path {
-            picture.save(py, path)?;
+            picture.write(py, &path)?;
         }
         Ok(picture)
     }
@@ -209,11 +210,9 @@ impl Run {
             self.summary.bind(py).call_method0("items")?.extract::<Vec<(String, Bound<'_, PyAny>)>>()?
         {
             if !["outcome", "verdict"].contains(&name.as_str()) && value.extract::<f64>().is_ok() {
-                html += &format!(
-                    "<tr><td>{}</td><td>{}</td></tr>",
-                    escaped(&name)?,
-                    escaped(&value.to_string())?
-                );
+                let (name, value) = (escaped(&name)?, escaped(&value.to_string())?);
+                // Writing to a String cannot fail.
+                let _ = write!(html, "<tr><td>{name}</td><td>{value}</td></tr>");
             }
         }
         let png = PyBytes::new(py, &self.png(py)?);

@@ -135,6 +135,24 @@ impl<R: 'static> Rows<R> {
         Err(RecordError::TooMuch { name: self.name, gib: gib(bytes), most_gib: gib(MOST_BYTES as u128) })
     }
 
+    /// Makes room for so many rows at once: a table whose length is known takes no more memory than its values.
+    #[must_use]
+    pub fn with_room(mut self, rows: u64) -> Self {
+        // What is too much has been refused, so it is no more than fits.
+        let rows = usize::try_from(rows).unwrap_or(0);
+        for ((_, read), values) in self.series.iter().zip(&mut self.values) {
+            let count = if read.is_per_robot() { rows * self.crew } else { rows };
+            match values {
+                Values::Numbers(values) => values.reserve_exact(count),
+                Values::Singles(values) => values.reserve_exact(count),
+                Values::Counts(values) => values.reserve_exact(count),
+                Values::Flags(values) => values.reserve_exact(count),
+                Values::Words(_, values) => values.reserve_exact(count),
+            }
+        }
+        self
+    }
+
     /// One row more.
     ///
     /// # Errors
@@ -209,6 +227,17 @@ mod tests {
         assert_eq!(table.columns[2].values, Values::Flags(vec![false, true, true, false, true, true]));
         assert_eq!(table.columns[0].values, Values::Numbers(vec![4.0, 4.0, 18.0]));
         assert!(table.columns[1].is_per_robot && !table.columns[0].is_per_robot);
+    }
+
+    #[test]
+    fn a_table_of_known_length_has_room_for_it_and_no_more() {
+        let mut rows = Rows::new("frames", SERIES, 2, 3).unwrap().with_room(3);
+        for _ in 0..3 {
+            rows.push(&vec![1.0, 3.0]).unwrap();
+        }
+        let table = rows.table();
+        let Values::Singles(x_m) = &table.columns[1].values else { panic!("{:?}", table.columns[1]) };
+        assert_eq!((x_m.len(), x_m.capacity()), (6, 6));
     }
 
     #[test]

@@ -91,7 +91,7 @@ impl ChainLog {
     pub(super) fn new(course: &Course, frames: Option<Keep>) -> Result<Self, RecordError> {
         let (crew, ticks) = (course.spawns.len(), total_ticks(course.scenario.duration_s));
         let decisions = ticks.div_ceil(period_ticks(course.scenario.equalize.decision_s).max(1));
-        let rows = |name, series, most| Rows::new(name, series, crew, most);
+        let rows = |name, series, most| Rows::new(name, series, crew, most).map(|rows| rows.with_room(most));
         let kept = |keep: Keep| if keep == Keep::Ticks { ticks } else { decisions };
         Ok(Self {
             keep: frames.unwrap_or(Keep::Decisions),
