@@ -314,3 +314,137 @@ def test_a_law_may_fly_runs_itself():
         return eq_12(seen)
 
     assert uchain.run(SHORT, 1, law=law).digest == uchain.run(SHORT, 1).digest
+
+
+def sweep(law: Any, **arguments: Any) -> uchain.Table:
+    vary = {"radio.sigma_db": [0, 2], "equalize.k_db_per_m": [15, 25]}
+    return uchain.sweep(SHORT, vary, replicates=3, progress=False, law=law, **arguments)
+
+
+def test_rows_of_a_sweep_by_eq_12_are_those_of_the_built_in_law():
+    built_in = sweep(None)
+    assert len(built_in) == 12
+    for law in (eq_12, eq_12_of_all):
+        assert sweep(law) == built_in
+        assert sweep(law, threads=1) == built_in
+    assert sweep(stay) != built_in
+
+
+def test_shards_of_a_sweep_by_a_law_are_the_whole():
+    for law in (eq_12, eq_12_of_all, Late()):
+        parts = [sweep(law, shard=(number, 3)) for number in (3, 1, 2)]
+        assert uchain.concat(parts) == sweep(law, threads=2)
+
+
+def test_many_more_runs_than_fly_side_by_side_are_in_their_order():
+    short = STRAIGHT.with_(duration_s=12)
+    runs = {"replicates": 700, "progress": False}
+    one_by_one = uchain.sweep(short, law=eq_12, **runs)
+    together = uchain.sweep(short, law=eq_12_of_all, **runs)
+    assert together == one_by_one == uchain.sweep(short, **runs)
+    assert together["run"].tolist() == list(range(700))
+
+
+def test_runs_side_by_side_may_last_differently_and_decide_at_different_rates():
+    vary = {"duration_s": [20, 60], "equalize.decision_s": [0.1, 0.2, 0.5]}
+    runs = {"replicates": 2, "progress": False}
+    assert uchain.sweep(STRAIGHT, vary, law=eq_12_of_all, **runs) == uchain.sweep(STRAIGHT, vary, **runs)
+
+
+def test_a_batched_law_is_asked_for_all_runs_at_once():
+    worlds: list[int] = []
+
+    @uchain.batched
+    def law(seen: uchain.SeenArrays) -> np.ndarray:
+        worlds.append(len(set(seen.world.tolist())))
+        assert seen.asks.all() and seen.back_db.ndim == 1
+        assert seen.back_db.shape == seen.uav.shape == seen.params.k_db_per_m.shape == seen.time_s.shape
+        return eq_12_of_all(seen)
+
+    sweep(law, threads=1)
+    assert max(worlds) == 12
+
+
+def test_a_run_whose_law_raises_is_a_failed_row_and_the_others_go_on():
+    def law(seen: uchain.Seen) -> Any:
+        if seen.params.k_db_per_m == 15 and seen.tick >= 1000:
+            raise ValueError("too soft")
+        return eq_12(seen)
+
+    @uchain.batched
+    def nan(seen: uchain.SeenArrays) -> np.ndarray:
+        return np.where((seen.params.k_db_per_m == 15) & (seen.tick >= 1000), np.nan, eq_12_of_all(seen))
+
+    built_in = sweep(None)
+    for bad, words in ((law, "raised ValueError: too soft"), (nan, "returned NaN")):
+        table = sweep(bad)
+        failed = table["equalize.k_db_per_m"] == 15
+        assert failed.sum() == 6
+        for row in range(len(table)):
+            if failed[row]:
+                assert table["failed"][row].startswith(f"the law {words}")
+                assert "at tick 1000 (50.00 s) for UAV" in table["failed"][row]
+                assert np.isnan(table["sim_s"][row])
+            else:
+                assert table["digest"][row] == built_in["digest"][row]
+
+
+def test_a_batched_law_that_raises_ends_the_runs_that_were_asked():
+    @uchain.batched
+    def law(seen: uchain.SeenArrays) -> np.ndarray:
+        raise ValueError("never")
+
+    table = uchain.sweep(STRAIGHT, {"duration_s": [2, 60]}, replicates=2, progress=False, law=law)
+    failed = [text is not None and "raised ValueError: never" in text for text in table["failed"]]
+    # Within 2 s no relay flies, and nobody is asked.
+    assert failed == [False, False, True, True]
+
+
+@pytest.mark.parametrize("answer", [None, np.zeros(1000), np.zeros(1, complex), "0.1"], ids=["none", "shape", "complex", "str"])
+def test_what_is_no_array_of_speeds_is_a_failed_row(answer: Any):
+    table = uchain.sweep(SHORT, replicates=2, progress=False, law=uchain.batched(lambda seen: answer))
+    assert all("the law returned" in text and "expected" in text for text in table["failed"])
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, SystemExit])
+@pytest.mark.parametrize("way", [lambda law: law, lambda law: uchain.batched(law)], ids=["each", "together"])
+def test_what_is_no_error_of_the_law_ends_a_sweep(way, error):
+    def law(seen: Any) -> Any:
+        raise error
+
+    with pytest.raises(error):
+        sweep(way(law))
+
+
+def test_a_sweep_by_a_law_keeps_no_folder_and_flies_no_exploration(tmp_path):
+    with pytest.raises(ValueError, match="law with out=.*resuming"):
+        sweep(eq_12, out=tmp_path / "sweep")
+    assert not (tmp_path / "sweep").exists()
+    for law in (eq_12, eq_12_of_all):
+        with pytest.raises(ValueError, match="which has no relays"):
+            uchain.sweep(uchain.Scenario.from_name("lab").with_(duration_s=2), replicates=1, progress=False, law=law)
+    with pytest.raises(TypeError, match="law = 3"):
+        sweep(3)
+
+
+def test_a_sweep_by_a_law_is_ended_by_ctrl_c():
+    program = """
+import os, signal, threading, time
+import uchain
+
+def law(seen):
+    time.sleep(0.001)
+    return 0.0
+
+start = time.monotonic() + 0.5
+threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+try:
+    uchain.sweep("straight", replicates=100_000, progress=False, law=LAW)
+except KeyboardInterrupt:
+    print("ended after", time.monotonic() - start)
+"""
+    for law in ("law", "uchain.batched(lambda seen: [law(seen)] * len(seen.uav))"):
+        command = [sys.executable, "-c", program.replace("LAW", law)]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        assert done.stdout.startswith("ended after"), done.stderr
+        assert float(done.stdout.split()[-1]) < 1

@@ -136,7 +136,7 @@ impl ChainEnv {
     ) -> PyResult<Self> {
         let py = what.py();
         let scenario = Scenario::of(what)?;
-        let course = own_law::course(&scenario.get().scene)?.clone();
+        let course = own_law::course(&*scenario.get().scene)?.clone();
         let uavs = course.spawns.len();
         let most = WORLDS_MAX.min(UAVS_MAX / uavs.max(1));
         let worlds = worlds.map_or(Ok(1), |worlds| whole(worlds, "worlds", most as u64))? as usize;

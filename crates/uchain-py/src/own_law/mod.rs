@@ -3,6 +3,7 @@
 mod answer;
 mod arrays;
 mod each;
+mod flyer;
 mod params;
 mod seen;
 mod together;
@@ -18,6 +19,7 @@ use uchain_sim::{clock::time_s, mission::chain::Course, registry::AnyScene};
 use crate::errors::LawError;
 pub(crate) use answer::{shown, speeds_mps};
 pub(crate) use arrays::{Filling, SeenArrays, array};
+pub(crate) use flyer::LawFlyer;
 pub(crate) use params::LawParams;
 
 /// A law that sees all relays at once: `batched(law)`, also as a decorator, for `run(…, law=…)` and `sweep(…, law=…)`.
@@ -72,7 +74,7 @@ impl Batched {
 
 /// How a law is asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Way {
+enum Way {
     /// Relay by relay.
     Each,
     /// Relay by relay, each with what the law's `start` makes for it.
@@ -84,7 +86,7 @@ pub(crate) enum Way {
 /// A law of one's own, in one call of the module, which may fly many runs.
 #[derive(Debug)]
 pub(crate) struct OwnLaw {
-    pub(crate) way: Way,
+    way: Way,
     law: Py<PyAny>,
     /// Threads that are in the law, by the number that Python has for them.
     threads: Mutex<Vec<u64>>,
@@ -169,7 +171,7 @@ impl OwnLaw {
     pub(crate) fn flying(
         self: &Arc<Self>,
         py: Python<'_>,
-        scene: &Arc<dyn AnyScene>,
+        scene: &dyn AnyScene,
     ) -> PyResult<(Arc<dyn AnyScene>, Arc<Fault>)> {
         let course = course(scene)?;
         let (law, fault, name) = (self.clone(), Arc::<Fault>::default(), self.name(py));
@@ -190,7 +192,7 @@ impl OwnLaw {
 ///
 /// # Errors
 /// `ValueError`: it is no chain, or its UAVs do not fly by the built-in node.
-pub(crate) fn course(scene: &Arc<dyn AnyScene>) -> PyResult<&Arc<Course>> {
+pub(crate) fn course(scene: &dyn AnyScene) -> PyResult<&Arc<Course>> {
     let Some(course) = scene.get::<Course>() else {
         let (name, kind) = (scene.name(), scene.kind());
         return Err(PyValueError::new_err(format!(
@@ -206,26 +208,35 @@ pub(crate) fn course(scene: &Arc<dyn AnyScene>) -> PyResult<&Arc<Course>> {
     Ok(course)
 }
 
-/// What is said of a law that gave no speeds: `what` it did, at a tick, for whom.
-fn no_speed(py: Python<'_>, what: &str, tick: u64, whom: &str, cause: Option<PyErr>) -> PyErr {
+/// What is said of a law that gave no speed: `what` it did, at a tick, for whom.
+fn words(what: &str, tick: u64, whom: &str) -> String {
     let time_s = time_s(tick);
-    let error = LawError::new_err(format!("the law {what}, at tick {tick} ({time_s:.2} s) for {whom}"));
+    format!("the law {what}, at tick {tick} ({time_s:.2} s) for {whom}")
+}
+
+fn no_speed(py: Python<'_>, what: &str, tick: u64, whom: &str, cause: Option<PyErr>) -> PyErr {
+    let error = LawError::new_err(words(what, tick, whom));
     error.set_cause(py, cause);
     error
 }
 
-/// What is said of a law that raised. Ctrl-C and the like go on as they are.
-fn raised(py: Python<'_>, error: PyErr, tick: u64, whom: &str) -> PyErr {
-    if !error.is_instance_of::<PyException>(py) {
-        return error;
-    }
+/// What is said of an error of a law; `None` of what is none of the law's: Ctrl-C and the like.
+fn what_raised(py: Python<'_>, error: &PyErr) -> Option<String> {
     const MOST: usize = 500;
-    let mut what = format!("raised {error}");
+    let mut what = error.is_instance_of::<PyException>(py).then(|| format!("raised {error}"))?;
     if let Some((end, _)) = what.char_indices().nth(MOST) {
         what.truncate(end);
         what.push('…');
     }
-    no_speed(py, &what, tick, whom, Some(error))
+    Some(what)
+}
+
+/// An error of a law as the run's. Ctrl-C and the like go on as they are.
+fn raised(py: Python<'_>, error: PyErr, tick: u64, whom: &str) -> PyErr {
+    match what_raised(py, &error) {
+        Some(what) => no_speed(py, &what, tick, whom, Some(error)),
+        None => error,
+    }
 }
 
 pub(crate) fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {

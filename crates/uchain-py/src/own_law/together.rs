@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use uchain_core::chain::EqualizeParams;
 use uchain_sim::mission::chain::{Asked, Leveller};
 
-use super::{Fault, Filling, LawParams, OwnLaw, no_speed, raised, speeds_mps};
+use super::{Fault, Filling, LawParams, OwnLaw, no_speed, speeds_mps, what_raised};
 
 /// A law of Python, in one run.
 #[derive(Debug)]
@@ -24,55 +24,77 @@ impl Together {
     fn ask(&self, py: Python<'_>, tick: u64, asked: &[Asked]) -> PyResult<Vec<f32>> {
         let entries = asked.iter().map(|asked| Entry { world: 0, tick, asked: *asked }).collect::<Vec<_>>();
         let speeds = self.law.ask(py, |law| ask(law, &entries, &self.equalize))??;
+        let speeds = speeds.map_err(|no_answer| no_answer.error(py, &entries))?;
         for (speed_mps, entry) in speeds.iter().zip(&entries) {
-            entry.check(py, *speed_mps)?;
+            if let Some(what) = no_number(*speed_mps) {
+                return Err(NoAnswer { what, cause: None }.error(py, std::slice::from_ref(entry)));
+            }
         }
         Ok(speeds)
     }
 }
 
 /// A relay among those that are asked together.
-pub(crate) struct Entry {
-    pub(crate) world: usize,
-    pub(crate) tick: u64,
-    pub(crate) asked: Asked,
+pub(super) struct Entry {
+    pub(super) world: usize,
+    pub(super) tick: u64,
+    pub(super) asked: Asked,
 }
 
-impl Entry {
-    /// A speed is expected to be a number.
-    pub(crate) fn check(&self, py: Python<'_>, speed_mps: f32) -> PyResult<()> {
-        if speed_mps.is_finite() {
-            return Ok(());
-        }
-        let what = format!("returned {speed_mps}: expected a finite number, the forward speed (m/s)");
-        Err(no_speed(py, &what, self.tick, &format!("UAV {}", self.asked.uav), None))
+/// What is wrong with a speed, if anything is.
+pub(super) fn no_number(speed_mps: f32) -> Option<String> {
+    let words = || format!("returned {speed_mps}: expected a finite number, the forward speed (m/s)");
+    (!speed_mps.is_finite()).then(words)
+}
+
+/// A law that gave no speeds: what it did.
+pub(super) struct NoAnswer {
+    pub(super) what: String,
+    cause: Option<PyErr>,
+}
+
+impl NoAnswer {
+    fn error(self, py: Python<'_>, entries: &[Entry]) -> PyErr {
+        let tick = entries.first().map_or(0, |entry| entry.tick);
+        no_speed(py, &self.what, tick, &whom(entries.iter()), self.cause)
     }
 }
 
+/// Relays, for a message.
+pub(super) fn whom<'a>(entries: impl Iterator<Item = &'a Entry>) -> String {
+    const MOST: usize = 8;
+    let mut uavs: Vec<String> = entries.take(MOST + 1).map(|entry| entry.asked.uav.to_string()).collect();
+    let s = if uavs.len() == 1 { "" } else { "s" };
+    if let Some(last) = uavs.get_mut(MOST) {
+        "…".clone_into(last);
+    }
+    format!("UAV{s} {}", uavs.join(", "))
+}
+
 /// Asks for all of them at once; whether what comes back is finite is not asked.
-pub(crate) fn ask(
+///
+/// # Errors
+/// What is no error of the law: Ctrl-C and the like, or Python's own.
+pub(super) fn ask(
     law: &Bound<'_, PyAny>,
     entries: &[Entry],
     equalize: &Arc<[EqualizeParams]>,
-) -> PyResult<Vec<f32>> {
+) -> PyResult<Result<Vec<f32>, NoAnswer>> {
     let py = law.py();
-    let tick = entries.first().map_or(0, |entry| entry.tick);
-    let whom = || {
-        const MOST: usize = 8;
-        let uavs: Vec<String> = entries.iter().take(MOST).map(|entry| entry.asked.uav.to_string()).collect();
-        let s = if entries.len() == 1 { "" } else { "s" };
-        let more = if entries.len() > MOST { ", …" } else { "" };
-        format!("UAV{s} {}{more}", uavs.join(", "))
-    };
     let mut filling = Filling::new(entries.len());
     for (at, Entry { world, tick, asked }) in entries.iter().enumerate() {
         filling.ask(at, *world, *tick, asked);
     }
     let world = entries.iter().map(|entry| entry.world as u32).collect();
     let seen = filling.done(py, None, LawParams::many(equalize.clone(), world))?;
-    let answer = law.call1((seen,)).map_err(|error| raised(py, error, tick, &whom()))?;
-    speeds_mps(&answer, &[entries.len()])
-        .map_err(|what| no_speed(py, &format!("returned {what}"), tick, &whom(), None))
+    Ok(match law.call1((seen,)) {
+        Ok(answer) => speeds_mps(&answer, &[entries.len()])
+            .map_err(|what| NoAnswer { what: format!("returned {what}"), cause: None }),
+        Err(error) => {
+            let what = what_raised(py, &error);
+            Err(NoAnswer { what: what.ok_or(error.clone_ref(py))?, cause: Some(error) })
+        }
+    })
 }
 
 impl Leveller for Together {

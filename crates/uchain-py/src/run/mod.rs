@@ -157,7 +157,7 @@ fn run(
     let Some(law) = law.map(OwnLaw::of).transpose()? else {
         return fly(&scenario, &scene, seed.0, record, frames.0, |_| ());
     };
-    let (scene, fault) = law.flying(what.py(), &scene)?;
+    let (scene, fault) = law.flying(what.py(), &*scene)?;
     let flown = fly(&scenario, &scene, seed.0, record, frames.0, |py| law.interrupt(py));
     flown.map_err(|error| fault.take().unwrap_or(error))
 }

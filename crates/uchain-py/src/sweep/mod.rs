@@ -20,7 +20,14 @@ use uchain_sim::{
     },
 };
 
-use crate::{errors, registry, run::Seed, scenario::Scenario, work::off_the_lock};
+use crate::{
+    errors,
+    own_law::{LawFlyer, OwnLaw},
+    registry,
+    run::Seed,
+    scenario::Scenario,
+    work::off_the_lock_until,
+};
 use arguments::{Part, Recorded, Replicates, Threads};
 use progress::{Counting, Counts, Progress, Teller, Told};
 use report::Report;
@@ -75,6 +82,11 @@ struct Asked {
 ///     Go on with the sweep in `out`; what is done stays.
 /// record : "none", "failed" or "all"
 ///     Which runs leave a recording in `out`.
+/// law : callable, optional
+///     What levels the relays of a chain in place of the built-in law, as in `run`: `law(seen) -> forward_mps`, an object with
+///     `start`, or `uchain.batched(law)`, for which up to 256 runs fly side by side. A run whose law raises or returns no
+///     number is a row whose column `failed` says so. Runs on other threads wait while a law has the interpreter's lock. Not
+///     with `out`: nobody can tell on resuming whether it is the same law; `Table.to_parquet` keeps the rows.
 ///
 /// Returns
 /// -------
@@ -113,10 +125,11 @@ struct Asked {
     out=None,
     resume=false,
     record=Recorded(Record::None),
+    law=None,
 ))]
 #[pyo3(
     text_signature = "(what, vary=None, *, design=None, replicates=30, seed=0, threads=None, shard=None, \
-                         progress=True, out=None, resume=False, record='none')"
+                         progress=True, out=None, resume=False, record='none', law=None)"
 )]
 #[expect(clippy::too_many_arguments, reason = "the arguments of the command line")]
 fn sweep(
@@ -132,7 +145,15 @@ fn sweep(
     out: Option<PathBuf>,
     resume: bool,
     record: Recorded,
+    law: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Table> {
+    let flyer = law.map(OwnLaw::of).transpose()?.map(LawFlyer::new);
+    if flyer.is_some() && out.is_some() {
+        return Err(PyValueError::new_err(
+            "law with out=: nobody can tell on resuming whether it is the same law; expected a sweep in memory, whose \
+             rows Table.to_parquet keeps",
+        ));
+    }
     if out.is_none() && (resume || record.0 != Record::None) {
         let name = if resume { "resume=True" } else { "record" };
         return Err(PyValueError::new_err(format!("{name} needs a folder: expected out=, too")));
@@ -154,12 +175,15 @@ fn sweep(
     };
     let counts = Counts::default();
     let mut teller = Teller::new(&counts, progress);
-    let flown = off_the_lock(
+    let flown = off_the_lock_until(
         py,
-        |stop| errors::caught(|| fly(asked, &counts, &Counting { counts: &counts, stop })),
+        |stop| errors::caught(|| fly(asked, &counts, &Counting { counts: &counts, stop }, flyer.as_ref())),
         |py| teller.tell(py),
+        |py| flyer.iter().for_each(|flyer| flyer.interrupt(py)),
     );
     let table = flown.and_then(|flown| flown?.map_err(errors::sweep));
+    // What a law raised says more than that the sweep was stopped.
+    let table = table.map_err(|error| flyer.as_ref().and_then(LawFlyer::take).unwrap_or(error));
     match table {
         Ok(table) => teller.end(py).map(|()| Table::of(table)),
         Err(error) => {
@@ -170,14 +194,22 @@ fn sweep(
 }
 
 /// Checks and flies, in memory or into a folder.
-fn fly(asked: Asked, counts: &Counts, watch: &Counting<'_>) -> Result<rows::Table, FolderError> {
+fn fly(
+    asked: Asked,
+    counts: &Counts,
+    watch: &Counting<'_>,
+    flyer: Option<&LawFlyer>,
+) -> Result<rows::Table, FolderError> {
     let Asked { source, sets, text, label, replicates, seed, threads, shard, out, resume, record } = asked;
     let design = Design::parse(&text, &label)?;
     let scenes = source.folder.clone();
     let sweep = Sweep::of(registry(), source, sets, design, replicates, seed)?;
     counts.expect(shard.runs(&sweep));
     on_threads(threads, || match out {
-        None => rows::Table::fly(&sweep, &scenes, shard, watch),
+        None => match flyer {
+            Some(flyer) => rows::Table::fly_by(&sweep, &scenes, shard, watch, flyer),
+            None => rows::Table::fly(&sweep, &scenes, shard, watch),
+        },
         Some(out) => fly_into(&out, &sweep, &scenes, resume, Job { shard, record, watch }),
     })?
 }

@@ -62,8 +62,11 @@ impl Sweep {
         (0..runs).into_par_iter().map(|index| self.one(self.run(index as u64), &work)).collect()
     }
 
-    /// Does something with one run, or says why it cannot be flown.
-    pub(super) fn one<T>(&self, run: Run, work: impl FnOnce(&dyn AnyScene, Run) -> T) -> Result<T, String> {
+    /// Does something with one run, or says why it cannot be flown, in the words that stand in its row.
+    ///
+    /// # Errors
+    /// It cannot be laid out, or panicked.
+    pub fn one<T>(&self, run: Run, work: impl FnOnce(&dyn AnyScene, Run) -> T) -> Result<T, String> {
         let scene = self.scene(run)?;
         caught(|| work(&*scene, run))
     }
@@ -82,8 +85,11 @@ impl Sweep {
     }
 }
 
-/// A panic as words: one run that goes wrong takes no other with it.
-pub(super) fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+/// A panic as words: one run that goes wrong takes no other with it. What was being made is given up.
+///
+/// # Errors
+/// The words of a row that says so.
+pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     // What is borrowed is immutable, or a lock that holds nothing half done, or given up with the run.
     catch_unwind(AssertUnwindSafe(work)).map_err(|panic| format!("panicked: {}", words(&*panic)))
 }

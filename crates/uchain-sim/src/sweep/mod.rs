@@ -30,7 +30,7 @@ use design::{combined, refuse_overlaps};
 
 pub use crate::registry::Flown;
 pub use design::{Design, DesignError, DesignText, RUNS_MAX, TABLE_MAX_BYTES, Written};
-pub use fly::{PoolError, on_threads, parallel_map};
+pub use fly::{PoolError, caught, on_threads, parallel_map};
 
 /// One run of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

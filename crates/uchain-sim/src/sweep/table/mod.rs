@@ -20,6 +20,7 @@ use crate::{
 use block::joined;
 
 pub use block::{BLOCK_ROWS, Block};
+pub use fly::Flyer;
 pub use values::{Lists, Texts, Values};
 
 /// Rows of a sweep: all of them, or those of shards.
