@@ -130,6 +130,9 @@ def instances() -> list[Any]:
         uchain.ChainEnv(SHORT).truth(),
         uchain.ChainEnv(SHORT).params,
         uchain.batched(lambda seen: seen.back_db),
+        uchain.Progress(1, 0, 2, 0.5),
+        uchain.sweep(SHORT, replicates=1, progress=False),
+        uchain.sweep(SHORT, replicates=1, progress=False).report(),
     ]
     return found
 

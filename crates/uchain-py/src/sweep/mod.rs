@@ -4,6 +4,7 @@ mod arguments;
 mod arrow;
 mod columns;
 mod design;
+mod html;
 mod progress;
 mod report;
 mod table;

@@ -8,12 +8,9 @@ use pyo3::{
     types::{PyBytes, PyCapsule, PyDict, PyType},
 };
 use pyo3_arrow::ffi::to_schema_pycapsule;
-use uchain_sim::{
-    analyse::Kind,
-    sweep::{folder::Folder, table},
-};
+use uchain_sim::sweep::{folder::Folder, table};
 
-use super::{arrow, columns, report::Report};
+use super::{arrow, columns, html, report::Report};
 use crate::{errors, registry, run::shown, work::off_the_lock};
 
 /// Rows of a sweep, one for every run, in the order of the runs.
@@ -218,38 +215,8 @@ impl Table {
 
     /// The first rows of what is short.
     fn _repr_html_(&self) -> String {
-        const ROWS: usize = 10;
-        let table = &self.table;
-        let short = |column: &(usize, &uchain_sim::analyse::Column)| {
-            !matches!(column.1.kind, Kind::Numbers | Kind::Singles)
-        };
-        let columns: Vec<_> = table.columns().iter().enumerate().filter(short).collect();
-        let heads: Vec<String> =
-            columns.iter().map(|(_, column)| format!("<th>{}</th>", escaped(&column.name))).collect();
-        let mut html = format!(
-            "<div style=\"overflow-x:auto\"><p>{}</p><table><thead><tr>{}</tr></thead><tbody>",
-            escaped(self.__repr__().trim_matches(['<', '>'])),
-            heads.concat()
-        );
-        let rows = table.blocks().iter().flat_map(|block| (0..block.rows()).map(move |row| (block, row)));
-        for (block, row) in rows.take(ROWS) {
-            html.push_str("<tr>");
-            for (place, _) in &columns {
-                let cell = block.values().get(*place).map(|values| values.cell(row));
-                let number = cell.as_ref().and_then(uchain_sim::analyse::Cell::number);
-                let text = cell.as_ref().and_then(|cell| cell.text().map(str::to_owned));
-                let text = text.or(number.map(|number| number.to_string())).unwrap_or_default();
-                html.push_str(&format!("<td>{}</td>", escaped(&text)));
-            }
-            html.push_str("</tr>");
-        }
-        html + "</tbody></table></div>"
+        html::of(&self.table, self.__repr__().trim_matches(['<', '>']))
     }
-}
-
-/// Words that may stand in HTML.
-fn escaped(words: &str) -> String {
-    words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// The table in a folder of `uchain sweep`, or of `uchain.sweep(…, out=folder)`: all rows of a sweep that is complete,

@@ -21,6 +21,14 @@ impl Block {
         Self { first, rows: 0, values: columns.iter().map(|column| Values::of(column.kind)).collect() }
     }
 
+    /// Without rows, with room for the runs from the first up to an end.
+    fn with_room(columns: &[Column], first: u64, end: u64) -> Self {
+        let mut block = Self::of(columns, first);
+        let rows = usize::try_from(end - first).unwrap_or(usize::MAX).min(BLOCK_ROWS);
+        block.values.iter_mut().for_each(|values| values.reserve(rows));
+        block
+    }
+
     /// Its runs.
     pub fn runs(&self) -> Range<u64> {
         self.first..self.first + self.rows as u64
@@ -56,37 +64,39 @@ impl Block {
 /// A run that is in two of them.
 pub(super) fn joined(columns: &[Column], mut blocks: Vec<Block>) -> Result<Vec<Block>, u64> {
     blocks.sort_by_key(|block| block.first);
+    if let Some(pair) = blocks.windows(2).find(|pair| pair[1].first < pair[0].runs().end) {
+        return Err(pair[1].first);
+    }
+    let gaps = ends_before_gaps(&blocks);
     let mut whole: Vec<Block> = Vec::new();
-    let mut end = 0;
     // Each is given up as soon as its rows are elsewhere.
-    for block in blocks {
-        if block.first < end {
-            return Err(block.first);
-        }
+    for (block, gap) in blocks.into_iter().zip(gaps) {
         let mut from = 0;
         while from < block.rows {
             let run = block.first + from as u64;
-            let room =
-                whole.last().filter(|last| last.runs().end == run).map_or(0, |last| BLOCK_ROWS - last.rows);
-            if room == 0 {
-                if from == 0 && block.rows == BLOCK_ROWS {
-                    end = block.runs().end;
-                    whole.push(block);
-                    break;
-                }
-                whole.push(Block::of(columns, run));
+            let last = whole.last_mut().filter(|last| last.runs().end == run && last.rows < BLOCK_ROWS);
+            let Some(last) = last else {
+                whole.push(Block::with_room(columns, run, gap));
                 continue;
+            };
+            let taken = (BLOCK_ROWS - last.rows).min(block.rows - from);
+            for (here, there) in last.values.iter_mut().zip(&block.values) {
+                here.extend(there, from..from + taken);
             }
-            let taken = room.min(block.rows - from);
-            if let Some(last) = whole.last_mut() {
-                for (here, there) in last.values.iter_mut().zip(&block.values) {
-                    here.extend(there, from..from + taken);
-                }
-                last.rows += taken;
-            }
+            last.rows += taken;
             from += taken;
-            end = run + taken as u64;
         }
     }
     Ok(whole)
+}
+
+/// For each block the run at which the successive runs end that it belongs to.
+fn ends_before_gaps(blocks: &[Block]) -> Vec<u64> {
+    let mut ends: Vec<u64> = blocks.iter().map(|block| block.runs().end).collect();
+    for place in (1..blocks.len()).rev() {
+        if ends[place - 1] == blocks[place].first {
+            ends[place - 1] = ends[place];
+        }
+    }
+    ends
 }

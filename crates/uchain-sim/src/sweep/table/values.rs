@@ -115,6 +115,18 @@ impl Values {
         }
     }
 
+    /// Makes room for so many more rows, without what belongs to them.
+    pub(super) fn reserve(&mut self, rows: usize) {
+        match self {
+            Self::Counts(counts) => counts.reserve_exact(rows),
+            Self::Numbers(numbers) => numbers.reserve_exact(rows),
+            Self::Singles(singles) => singles.reserve_exact(rows),
+            Self::Texts(texts) => texts.rows.0.reserve_exact(rows),
+            Self::NumberLists(lists) => lists.rows.0.reserve_exact(rows),
+            Self::SingleLists(lists) => lists.rows.0.reserve_exact(rows),
+        }
+    }
+
     /// Appends a cell; one that is of another kind is absent.
     pub(super) fn push(&mut self, cell: &Cell) {
         match self {
