@@ -20,29 +20,26 @@ pub(super) fn name(kind: Kind) -> &'static str {
 }
 
 /// A column as an array; `None` if there is none of this name.
-pub(super) fn array<'py>(py: Python<'py>, table: &Table, name: &str) -> PyResult<Option<Bound<'py, PyAny>>> {
-    let Some(place) = table.columns().iter().position(|column| column.name == name) else { return Ok(None) };
+pub(super) fn array<'py>(py: Python<'py>, table: &Table, name: &str) -> Option<Bound<'py, PyAny>> {
+    let place = table.columns().iter().position(|column| column.name == name)?;
     let blocks = || table.blocks().iter().filter_map(|block| block.values().get(place));
-    let kind = table.columns().get(place).map(|column| column.kind);
-    let array = match kind {
-        Some(Kind::Count) => {
+    let array = match table.columns().get(place)?.kind {
+        Kind::Count => {
             let counts = || blocks().filter_map(|v| if let Values::Counts(v) = v { Some(v) } else { None });
             let whole: Option<Vec<i64>> = counts().flatten().copied().collect();
-            match whole {
-                Some(counts) => PyArray1::from_vec(py, counts).into_any(),
+            if let Some(counts) = whole {
+                PyArray1::from_vec(py, counts).into_any()
+            } else {
                 // Whole numbers know no NaN.
-                None => {
-                    let numbers =
-                        counts().flatten().map(|count| count.map_or(f64::NAN, |count| count as f64));
-                    PyArray1::from_vec(py, numbers.collect()).into_any()
-                }
+                let numbers = counts().flatten().map(|count| count.map_or(f64::NAN, |count| count as f64));
+                PyArray1::from_vec(py, numbers.collect()).into_any()
             }
         }
-        Some(Kind::Number) => {
+        Kind::Number => {
             let numbers = blocks().filter_map(|v| if let Values::Numbers(v) = v { Some(v) } else { None });
             PyArray1::from_vec(py, numbers.flatten().copied().collect::<Vec<f64>>()).into_any()
         }
-        Some(Kind::Single) => {
+        Kind::Single => {
             let numbers = blocks().filter_map(|v| if let Values::Singles(v) = v { Some(v) } else { None });
             PyArray1::from_vec(py, numbers.flatten().copied().collect::<Vec<f32>>()).into_any()
         }
@@ -65,7 +62,7 @@ pub(super) fn array<'py>(py: Python<'py>, table: &Table, name: &str) -> PyResult
             PyArray1::from_vec(py, objects).into_any()
         }
     };
-    Ok(Some(array))
+    Some(array)
 }
 
 /// An array for every list.

@@ -12,10 +12,11 @@ const ROWS: usize = 10;
 pub(super) fn of(table: &Table, title: &str) -> String {
     let is_short = |(_, column): &(usize, &Column)| !matches!(column.kind, Kind::Numbers | Kind::Singles);
     let columns: Vec<(usize, &Column)> = table.columns().iter().enumerate().filter(is_short).collect();
-    let heads: String =
+    let heads: Vec<String> =
         columns.iter().map(|(_, column)| format!("<th>{}</th>", escaped(&column.name))).collect();
+    let heads = heads.concat();
     let rows = table.blocks().iter().flat_map(|block| (0..block.rows()).map(move |row| (block, row)));
-    let rows: String = rows
+    let rows: Vec<String> = rows
         .take(ROWS)
         .map(|(block, row)| {
             let cell = |(place, _): &(usize, &Column)| {
@@ -25,10 +26,10 @@ pub(super) fn of(table: &Table, title: &str) -> String {
                 });
                 format!("<td>{}</td>", escaped(&text.unwrap_or_default()))
             };
-            format!("<tr>{}</tr>", columns.iter().map(cell).collect::<String>())
+            format!("<tr>{}</tr>", columns.iter().map(cell).collect::<Vec<_>>().concat())
         })
         .collect();
-    let title = escaped(title);
+    let (title, rows) = (escaped(title), rows.concat());
     format!(
         "<div style=\"overflow-x:auto\"><p>{title}</p><table><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table></div>"
     )

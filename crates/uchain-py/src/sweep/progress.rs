@@ -48,6 +48,7 @@ impl Progress {
         Self { done, failed, total, elapsed_s, left_s }
     }
 
+    #[expect(clippy::type_complexity, reason = "what pickle asks for: how to make it, and of what")]
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, (u64, u64, u64, f64, Option<f64>)) {
         let Self { done, failed, total, elapsed_s, left_s } = *slf.get();
         (slf.get_type(), (done, failed, total, elapsed_s, left_s))

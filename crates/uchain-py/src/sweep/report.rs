@@ -14,6 +14,7 @@ use pyo3::{
     prelude::*,
     types::{PyDict, PyList},
 };
+use uchain_sim::analyse::Estimate;
 use uchain_sim::sweep::{
     folder::FolderError,
     report::{Failures, Metric, failures, markdown, metric, metrics, picture, save},
@@ -85,7 +86,9 @@ impl Report {
         let numbers = PyDict::new(py);
         for metric in &self.metrics {
             let cells = || metric.cells.iter().copied();
-            let runs: Vec<i64> = cells().map(|cell| cell.map_or(0, |cell| cell.count as i64)).collect();
+            let count =
+                |cell: Option<Estimate>| cell.map_or(0, |cell| i64::try_from(cell.count).unwrap_or(i64::MAX));
+            let runs: Vec<i64> = cells().map(count).collect();
             let mean = cells().map(|cell| cell.map_or(f64::NAN, |cell| cell.mean)).collect();
             let median = cells().map(|cell| cell.map_or(f64::NAN, |cell| cell.median)).collect();
             let ends = cells().map(|cell| cell.filter(|cell| cell.half_width.is_some()));
@@ -162,7 +165,7 @@ impl Report {
     /// The text without links to pictures, which are in no file.
     fn _repr_markdown_(&self) -> String {
         let lines = self.text.lines().filter(|line| !line.starts_with("!["));
-        lines.map(|line| format!("{line}\n")).collect()
+        lines.flat_map(|line| [line, "\n"]).collect()
     }
 
     fn __repr__(&self) -> String {

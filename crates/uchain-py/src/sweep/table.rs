@@ -69,6 +69,7 @@ impl Table {
 
     /// Name of the scenario.
     #[getter]
+    #[expect(clippy::misnamed_getters, reason = "the manifest keeps the scenario's text under this name")]
     fn scenario(&self) -> &str {
         &self.table.manifest().name
     }
@@ -149,7 +150,7 @@ impl Table {
             let message = format!("[{got}]: expected the name of a column; `columns` lists them");
             return Err(PyTypeError::new_err(message));
         };
-        columns::array(py, &self.table, &name)?.ok_or_else(|| {
+        columns::array(py, &self.table, &name).ok_or_else(|| {
             PyKeyError::new_err(format!("no column {got}; `columns` lists those that there are"))
         })
     }

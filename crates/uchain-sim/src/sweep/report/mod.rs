@@ -18,7 +18,7 @@ use crate::analyse::{Cell, Column, Kind};
 pub use markdown::markdown;
 #[cfg(feature = "draw")]
 pub use pictures::picture;
-pub use rows::Rows;
+pub use rows::{Groups, Rows};
 #[cfg(feature = "draw")]
 pub use save::{CSV, MARKDOWN, PLOTS, save};
 

@@ -8,19 +8,19 @@ use crate::{
     },
 };
 
+/// Cells in order, some thousands at a time.
+pub type Groups<'a> = Box<dyn Iterator<Item = Result<Vec<Cell>, FolderError>> + 'a>;
+
 /// The rows of a complete sweep, wherever they are.
 pub trait Rows {
     /// What is flown.
     fn manifest(&self) -> &Manifest;
 
-    /// All cells of a column of scalars, in order, some thousands at a time.
+    /// All cells of a column of scalars.
     ///
     /// # Errors
     /// They cannot be read, now or later.
-    fn cells<'a>(
-        &'a self,
-        column: &Column,
-    ) -> Result<Box<dyn Iterator<Item = Result<Vec<Cell>, FolderError>> + 'a>, FolderError>;
+    fn cells<'a>(&'a self, column: &Column) -> Result<Groups<'a>, FolderError>;
 
     /// What all runs came to.
     ///
@@ -34,10 +34,7 @@ impl Rows for Folder {
         Self::manifest(self)
     }
 
-    fn cells<'a>(
-        &'a self,
-        column: &Column,
-    ) -> Result<Box<dyn Iterator<Item = Result<Vec<Cell>, FolderError>> + 'a>, FolderError> {
+    fn cells<'a>(&'a self, column: &Column) -> Result<Groups<'a>, FolderError> {
         Ok(Box::new(self.column(column)?))
     }
 

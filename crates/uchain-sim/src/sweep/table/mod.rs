@@ -11,7 +11,7 @@ use std::{path::PathBuf, sync::Arc};
 use super::{
     Sweep,
     folder::{FolderError, Manifest, Sum, Totals, summed},
-    report::Rows,
+    report::{Groups, Rows},
 };
 use crate::{
     analyse::{Cell, Column},
@@ -135,10 +135,7 @@ impl Rows for Table {
         &self.manifest
     }
 
-    fn cells<'a>(
-        &'a self,
-        column: &Column,
-    ) -> Result<Box<dyn Iterator<Item = Result<Vec<Cell>, FolderError>> + 'a>, FolderError> {
+    fn cells<'a>(&'a self, column: &Column) -> Result<Groups<'a>, FolderError> {
         self.whole()?;
         let place = self.columns.iter().position(|known| known.name == column.name);
         let values =

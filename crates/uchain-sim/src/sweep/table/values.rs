@@ -131,7 +131,7 @@ impl Values {
     pub(super) fn push(&mut self, cell: &Cell) {
         match self {
             Self::Counts(counts) => {
-                counts.push(if let Cell::Count(count) = cell { Some(*count) } else { None })
+                counts.push(if let Cell::Count(count) = cell { Some(*count) } else { None });
             }
             Self::Numbers(numbers) => numbers.push(cell.number().unwrap_or(f64::NAN)),
             Self::Singles(singles) => singles.push(cell.number().map_or(f32::NAN, |number| number as f32)),
