@@ -2,6 +2,7 @@
 
 import doctest
 import inspect
+import pathlib
 import types
 from collections.abc import Iterator
 from typing import Any
@@ -49,6 +50,16 @@ def test_examples_in_the_documentation_do_what_they_say(
     report: list[str] = []
     runner.run(example, out=report.append)
     assert runner.failures == 0, "".join(report)
+
+
+def test_the_page_on_python_runs_from_top_to_bottom(tmp_path: Any, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    page = (pathlib.Path(__file__).parents[2] / "docs" / "guide" / "python.md").read_text()
+    blocks = [block.split("```")[0] for block in page.split("```python\n")[1:]]
+    assert len(blocks) >= 5
+    names: dict[str, Any] = {"__name__": "page"}
+    for number, block in enumerate(blocks):
+        exec(compile(block, f"python.md, block {number + 1}", "exec"), names)
 
 
 def test_control_an_example_that_says_something_else_is_noticed():

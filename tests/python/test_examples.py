@@ -2,10 +2,13 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
+from typing import Any
 
 import pytest
+from conftest import optional
 
 ROOT = pathlib.Path(__file__).parents[2]
 PROGRAMS = sorted((ROOT / "examples").glob("*.py"))
@@ -34,3 +37,29 @@ def test_a_program_prints_what_its_first_lines_say(program: pathlib.Path, tmp_pa
     assert promised, "the first lines say nothing of what is printed"
     for line in promised:
         assert line in done.stdout, f"promised:\n{line}\nprinted:\n{done.stdout}"
+
+
+def told(cells: list[Any]) -> list[list[str]]:
+    """What the cells of a notebook print and return, as text; a picture's size in bytes aside."""
+    said = []
+    for cell in cells:
+        if cell.cell_type == "code":
+            texts = [out.get("text") or out.get("data", {}).get("text/plain", out.get("ename")) for out in cell.outputs]
+            said.append([re.sub(r"\d+ bytes", "bytes", text) for text in texts])
+    return said
+
+
+def test_the_notebook_runs_and_says_what_it_said(tmp_path: pathlib.Path):
+    nbformat, nbclient = optional("nbformat"), optional("nbclient")
+    notebook = nbformat.read(ROOT / "examples" / "first_flight.ipynb", as_version=4)
+    said = told(notebook.cells)
+    pictures = [out for cell in notebook.cells for out in cell.get("outputs", ()) if "image/png" in out.get("data", {})]
+    assert len(pictures) >= 3
+    for cell in notebook.cells:
+        if cell.cell_type == "code":
+            cell.outputs = []
+    nbclient.NotebookClient(
+        notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": str(tmp_path)}}
+    ).execute()
+    assert told(notebook.cells) == said
+    assert any("4cb3614f4c4f29fd" in text for cell in said for text in cell)
