@@ -6,12 +6,12 @@ use std::{ops::ControlFlow, sync::Arc};
 use uchain_core::chain::{EqualizeParams, PilotInput, equalize};
 use uchain_sim::{
     mission::{
-        Mission,
+        Mission, UnderWay,
         chain::{Asked, Chain, ChainOf, Course, Flight, History, Leveller},
     },
     record::RecordError,
     registry::AnyScene,
-    run::{UnderWay, run},
+    run::run,
 };
 
 use super::own_law::Mine;

@@ -16,6 +16,7 @@ pub mod chain;
 pub mod explore;
 mod logbook;
 mod shown;
+mod under_way;
 
 #[cfg(feature = "record")]
 use std::io::Write;
@@ -33,6 +34,7 @@ use crate::{
 
 pub use logbook::{EVENTS_MAX, Graph, Keep, Log, Logbook};
 pub use shown::{History, Shown, Timeline, thinned};
+pub use under_way::UnderWay;
 
 #[cfg(feature = "record")]
 use crate::record::{

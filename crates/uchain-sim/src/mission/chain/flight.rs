@@ -9,9 +9,8 @@ use uchain_core::{
 
 use super::{Asked, Chain, Course, Frame, Summary};
 use crate::{
-    mission::{Mission as _, Stopped},
+    mission::{Mission as _, Stopped, UnderWay},
     record::{RecordError, Recorder},
-    run::UnderWay,
 };
 
 /// A chain whose relays are levelled from outside, at whatever time: it stands at a decision, says who asks, and goes on to
