@@ -122,14 +122,14 @@ pub fn run_with<S: Scene>(
     let mut inputs: Vec<Asked<InputOf<S>>> = Vec::new();
     let mut tick = 0;
     loop {
-        if let Some(input) = pilot.ask(tick, under_way.mission.frame())
+        if let Some(input) = pilot.ask(tick, under_way.mission().frame())
             && inputs.last().is_none_or(|last| last.input != input)
         {
             let at_s = time_s(tick);
             if inputs.len() == INPUTS_MAX {
                 return Err(RunError::TooManyInputs { at_s });
             }
-            under_way.mission.steer(input.clone()).map_err(|why| RunError::Input { at_s, why })?;
+            under_way.mission_mut().steer(input.clone()).map_err(|why| RunError::Input { at_s, why })?;
             inputs.push(Asked { tick, input });
         }
         if under_way.tick(recorder)?.is_some() {
