@@ -180,6 +180,7 @@ impl Recording {
 
     /// How pickle makes one.
     #[classmethod]
+    #[expect(clippy::needless_pass_by_value, reason = "an argument from Python")]
     fn _unpickled<'py>(
         cls: &Bound<'py, PyType>,
         path: PathBuf,
@@ -220,6 +221,7 @@ impl Recording {
 #[pyfunction]
 #[pyo3(signature = (path, *, frames=Frames(Some(Keep::Ticks))))]
 #[pyo3(text_signature = "(path, *, frames='ticks')")]
+#[expect(clippy::needless_pass_by_value, reason = "an argument from Python")]
 fn read_recording(py: Python<'_>, path: PathBuf, frames: Frames) -> PyResult<Bound<'_, Recording>> {
     read(py, &path, frames.0)
 }

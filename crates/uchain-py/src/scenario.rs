@@ -2,7 +2,6 @@
 
 use std::{
     ffi::OsString,
-    hash::{DefaultHasher, Hash, Hasher},
     path::{Path, PathBuf},
     sync::Arc,
 };
@@ -237,10 +236,8 @@ impl Scenario {
         })
     }
 
-    fn __hash__(&self) -> u64 {
-        let mut hasher = DefaultHasher::new();
-        (&self.source.text, &self.sets).hash(&mut hasher);
-        hasher.finish()
+    fn __hash__(&self, py: Python<'_>) -> PyResult<isize> {
+        (&self.source.text, self.sets.join("\n")).into_pyobject(py)?.hash()
     }
 
     /// Pickled as its text and what was written over it; laid out anew where it arrives.

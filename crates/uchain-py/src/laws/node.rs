@@ -147,7 +147,6 @@ impl Node {
 impl Node {
     #[new]
     #[pyo3(signature = (role="relay", *, kalman=None, equalize=None, center=None, takeoff=None, link=None, tof_range_m=2.0))]
-    #[expect(clippy::too_many_arguments, reason = "keywords")]
     fn new(
         role: &str,
         kalman: Option<&Bound<'_, PyDict>>,

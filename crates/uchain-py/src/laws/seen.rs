@@ -87,7 +87,6 @@ impl Observation {
     #[new]
     #[pyo3(signature = (*, place=None, heard=None, tof_m=None, ground_speed_mps=None, battery=None, pilot_mps=None,
         follow="centre"))]
-    #[expect(clippy::too_many_arguments, reason = "keywords")]
     fn new(
         place: Option<u16>,
         heard: Option<Vec<PyRef<'_, Heard>>>,
