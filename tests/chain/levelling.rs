@@ -7,10 +7,11 @@ use uchain_core::chain::{EqualizeParams, PilotInput, equalize};
 use uchain_sim::{
     mission::{
         Mission, UnderWay,
-        chain::{Asked, Chain, ChainOf, Course, Flight, History, Leveller},
+        chain::{Asked, Chain, ChainOf, Course, Flight, History, Leveller, McapRecorder},
     },
     record::RecordError,
     registry::AnyScene,
+    replay::{self, Recording},
     run::run,
 };
 
@@ -120,6 +121,22 @@ fn who_breaks_off_ends_the_run_at_that_very_tick() {
     assert!(any.fly(1, &mut ()).is_err());
     let whole = <dyn AnyScene>::of(levelled(&course, 1.0, u64::MAX));
     assert_eq!(whole.fly(1, &mut ()).unwrap().digest(), run(&course, 1, &mut ()).unwrap().digest);
+}
+
+#[test]
+fn a_recording_of_a_law_that_nobody_here_has_is_read_and_not_flown() {
+    let course = levelled(&course("straight", &["duration_s=60"]), 1.5, u64::MAX);
+    let mut recorder = McapRecorder::start(Vec::new(), &course, 1).unwrap();
+    let flown = run(&course, 1, &mut recorder).unwrap();
+    let file = recorder.finish().unwrap();
+    let read = || Recording::<_, Course>::read(file.as_slice(), "memory").unwrap();
+    let mut recording = read();
+    let scene = recording.scene().unwrap();
+    assert_eq!(scene.scenario.to_toml().unwrap(), course.scenario.to_toml().unwrap());
+    assert_eq!(recording.summary(&scene, &mut ()).unwrap(), flown);
+    assert!(matches!(run(&scene, 1, &mut ()), Err(RecordError::Interrupted { .. })));
+    let error = replay::verify(&mut read()).unwrap_err().to_string();
+    assert!(error.contains("chain.brain = \"eq-12\": unknown choice"), "{error}");
 }
 
 #[test]

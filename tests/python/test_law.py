@@ -295,10 +295,18 @@ def test_what_is_no_error_of_the_law_goes_on_as_it_is(error):
         uchain.run(SHORT, law=raises_at(900, error()))
 
 
-def test_a_law_is_recorded_under_its_name(tmp_path):
+def test_a_law_is_recorded_under_its_name_and_flown_again_by_whoever_has_it(tmp_path):
     path = tmp_path / "run.mcap"
-    uchain.run(SHORT.with_(duration_s=5), law=eq_12, record=path)
-    assert b'brain = "python:eq_12"' in path.read_bytes()
+    flown = uchain.run(SHORT, 1, law=Late(), record=path)
+    read = uchain.read_recording(path)
+    assert read.digest == flown.digest and read.outcome == flown.outcome
+    with pytest.raises(uchain.RecordingError, match='chain.brain = "python:Late": unknown choice'):
+        read.verify()
+    with pytest.raises(ValueError, match='"python:Late": expected law='):
+        uchain.run(read.scenario, 1)
+    assert uchain.run(read.scenario, 1, law=Late()).digest == flown.digest
+    built_in = read.scenario.with_(**{"chain.brain": "node"})
+    assert uchain.run(built_in, 1).digest == uchain.run(SHORT, 1).digest != flown.digest
 
 
 def test_a_decorated_law_is_still_a_law_and_is_pickled():

@@ -208,6 +208,23 @@ pub(crate) fn course(scene: &dyn AnyScene) -> PyResult<&Arc<Course>> {
     Ok(course)
 }
 
+/// A scene whose law only Python has, such as that of a recording, is not flown without it.
+///
+/// # Errors
+/// `ValueError` with the law's name.
+pub(crate) fn lacks_no_law(scene: &dyn AnyScene) -> PyResult<()> {
+    match scene.get::<Course>() {
+        Some(course) if course.leveller.is_some() => {
+            let brain = course.scenario.chain.brain.as_deref().unwrap_or_default();
+            Err(PyValueError::new_err(format!(
+                "it was flown by a law of somebody's own, \"{brain}\": expected law=, too, or with_(**{{\"chain.brain\": \
+                 \"node\"}})"
+            )))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// What is said of a law that gave no speed: `what` it did, at a tick, for whom.
 fn words(what: &str, tick: u64, whom: &str) -> String {
     let time_s = time_s(tick);

@@ -26,7 +26,12 @@ use uchain_sim::{
     registry::{AnyScene, Kept, Now, Watch},
 };
 
-use crate::{errors, own_law::OwnLaw, scenario::Scenario, work::off_the_lock_until};
+use crate::{
+    errors,
+    own_law::{OwnLaw, lacks_no_law},
+    scenario::Scenario,
+    work::off_the_lock_until,
+};
 pub(crate) use columns::{Columns, array};
 use file::Unfinished;
 pub(crate) use picture::Picture;
@@ -155,6 +160,7 @@ fn run(
     let scenario = Scenario::of(what)?;
     let scene = scenario.get().scene.clone();
     let Some(law) = law.map(OwnLaw::of).transpose()? else {
+        lacks_no_law(&*scene)?;
         return fly(&scenario, &scene, seed.0, record, frames.0, |_| ());
     };
     let (scene, fault) = law.flying(what.py(), &*scene)?;

@@ -208,6 +208,19 @@ pub trait Scene: Sized + Debug + Send + Sync + 'static {
         Self::lay(&Document::parse(source, &[], &known)?, Some(map), &Self::Shared::default(), extensions)
     }
 
+    /// Like [`Scene::read_in`], of what was recorded: a scenario that names an answer which this program does not have, such as
+    /// a law of somebody's own, can be looked at; a run of it ends as soon as that is asked.
+    ///
+    /// # Errors
+    /// Those of [`Scene::read`].
+    fn read_recorded(
+        source: &Source,
+        map: Map,
+        extensions: Self::Extensions,
+    ) -> Result<Arc<Self>, ConfigError> {
+        Self::read_in(source, map, extensions)
+    }
+
     /// The scenario's name.
     fn name(&self) -> &str;
 

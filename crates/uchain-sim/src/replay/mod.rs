@@ -75,7 +75,7 @@ pub fn verify_while<R: Read, S: Scene<Mission: Recorded>>(
     go_on: &mut dyn FnMut() -> bool,
 ) -> Result<Verdict, ReadError> {
     let mut wanted = || if go_on() { Ok(()) } else { Err(io::Error::from(io::ErrorKind::Interrupted)) };
-    let mut mission = S::Mission::start(recording.scene()?, recording.about.seed);
+    let mut mission = S::Mission::start(recording.scene_to_fly()?, recording.about.seed);
     let (mut recorded, mut first) = (FrameOf::<S>::default(), None);
     let (mut ticks, mut of, mut over) = (0, 0, false);
     while first.is_none() && recording.frames.read(&mut recorded)? {

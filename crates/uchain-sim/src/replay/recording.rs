@@ -9,7 +9,7 @@ use std::{
 
 use crate::{
     analyse::Digest,
-    config::Source,
+    config::{ConfigError, Source},
     map::Map,
     mission::{Metrics as _, Mission as _, Recorded, Scene},
     pilot::{Asked, INPUTS_MAX},
@@ -37,6 +37,9 @@ pub struct Recording<R, S: Scene<Mission: Recorded>> {
     source: Source,
     extensions: S::Extensions,
 }
+
+/// Lays a scenario out in a map that was built before.
+type ReadIn<S> = fn(&Source, Map, <S as Scene>::Extensions) -> Result<Arc<S>, ConfigError>;
 
 impl<S: Scene<Mission: Recorded>> Recording<BufReader<File>, S> {
     /// Opens a recording; messages call it by its path.
@@ -76,13 +79,25 @@ impl<R: Read, S: Scene<Mission: Recorded>> Recording<R, S> {
     }
 
     /// The scene that was flown in, in the walls that were recorded; map files are not read. Frames with another number
-    /// of robots are refused from here on.
+    /// of robots are refused from here on. It is to be looked at: see [`Recording::scene_to_fly`].
+    ///
+    /// # Errors
+    /// [`ReadError::Scenario`]: a scenario that this version does not know, or of another mission.
+    pub fn scene(&mut self) -> Result<Arc<S>, ReadError> {
+        self.scene_by(S::read_recorded)
+    }
+
+    /// Like [`Recording::scene`], if this program has all that was flown with, such as a law of somebody's own.
     ///
     /// # Errors
     /// [`ReadError::Scenario`]: a scenario that this version cannot fly, or of another mission.
-    pub fn scene(&mut self) -> Result<Arc<S>, ReadError> {
+    pub fn scene_to_fly(&mut self) -> Result<Arc<S>, ReadError> {
+        self.scene_by(S::read_in)
+    }
+
+    fn scene_by(&mut self, read: ReadIn<S>) -> Result<Arc<S>, ReadError> {
         let map = self.walls.clone().with_offset_m(self.about.map_offset_m);
-        let scene = S::read_in(&self.source, map, self.extensions).map_err(Box::new)?;
+        let scene = read(&self.source, map, self.extensions).map_err(Box::new)?;
         self.frames.expect_crew(scene.crew());
         Ok(scene)
     }

@@ -69,6 +69,16 @@ impl fmt::Debug for OwnLeveller {
     }
 }
 
+/// In place of a law that this program does not have: nobody is there to ask.
+#[derive(Debug)]
+pub(super) struct Nobody;
+
+impl Leveller for Nobody {
+    fn level(&mut self, _: u64, _: &[Asked], _: &mut [f32]) -> ControlFlow<()> {
+        ControlFlow::Break(())
+    }
+}
+
 /// A brain that can be made for a UAV of a scenario: a chain of such brains is a mission.
 pub trait Law: Brain + Sized + 'static {
     /// The brain of a UAV, by its id, before it has seen anything.

@@ -13,6 +13,7 @@ use uchain_core::chain::{Brain, NodeParams};
 use super::{
     Chain, ChainExtensions, Leveller, OwnLaw, OwnLeveller, Scenario,
     config::{KEYS, KNOWN, thresholds, values},
+    law::Nobody,
 };
 use crate::{
     analyse::optimum::{BottleneckTable, TableCache},
@@ -218,7 +219,7 @@ impl Course {
     ///     }
     /// }
     /// let course = Course::read(&builtin("straight").unwrap(), &["duration_s=90".into()]).unwrap();
-    /// let digest = |course| run(course, 1, &mut ()).unwrap().digest;
+    /// let digest = |course: &std::sync::Arc<Course>| run(course, 1, &mut ()).unwrap().digest;
     /// let same = course.with_leveller("eq-12", |course| Gain(course.scenario.equalize.clone()));
     /// assert_eq!(digest(&same), digest(&course));
     /// let other =
@@ -320,6 +321,24 @@ impl Scene for Course {
         if !was_flown {
             thresholds(&course.scenario, document)?;
         }
+        Ok(Arc::new(course))
+    }
+
+    fn read_recorded(
+        source: &Source,
+        map: Map,
+        extensions: ChainExtensions,
+    ) -> Result<Arc<Self>, ConfigError> {
+        let document = Document::parse(source, &[], &KNOWN)?;
+        let mut scenario = Scenario::from_document(&document)?;
+        let brain = scenario.chain.brain.clone();
+        if extensions.law(brain.as_deref(), &document).is_ok() {
+            return Self::read_in(source, map, extensions);
+        }
+        scenario.chain.brain = None;
+        let mut course = Self::lay_in(scenario, &document, Some(map), &Arc::default(), extensions)?;
+        course.scenario.chain.brain = brain;
+        course.leveller = Some(OwnLeveller::new(|_| Nobody));
         Ok(Arc::new(course))
     }
 
