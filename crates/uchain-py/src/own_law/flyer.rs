@@ -209,9 +209,12 @@ impl Flyer for LawFlyer {
     }
 
     fn fly(&self, sweep: &Sweep, runs: &[Run], watch: &dyn Watch) -> Result<Vec<Row>, FolderError> {
-        match self.law.way {
-            Way::Together => self.together(sweep, runs, watch),
-            Way::Each | Way::Started => runs.iter().map(|run| self.alone(sweep, *run, watch)).collect(),
-        }
+        // Python knows this thread all the while, and need not meet it anew at every decision.
+        Python::attach(|py| {
+            py.detach(|| match self.law.way {
+                Way::Together => self.together(sweep, runs, watch),
+                Way::Each | Way::Started => runs.iter().map(|run| self.alone(sweep, *run, watch)).collect(),
+            })
+        })
     }
 }

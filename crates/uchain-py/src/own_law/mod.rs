@@ -8,7 +8,10 @@ mod params;
 mod seen;
 mod together;
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::{
+    cell::Cell,
+    sync::{Arc, Mutex, PoisonError},
+};
 
 use pyo3::{
     exceptions::{PyException, PyKeyboardInterrupt, PyTypeError, PyValueError},
@@ -72,6 +75,11 @@ impl Batched {
     }
 }
 
+thread_local! {
+    /// The number that Python has for this thread: it is asked for once.
+    static IDENT: Cell<Option<u64>> = const { Cell::new(None) };
+}
+
 /// How a law is asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Way {
@@ -131,7 +139,11 @@ impl OwnLaw {
 
     /// Asks the law, on whatever thread.
     fn ask<T>(&self, py: Python<'_>, ask: impl FnOnce(&Bound<'_, PyAny>) -> T) -> PyResult<T> {
-        let thread: u64 = py.import("threading")?.call_method0("get_ident")?.extract()?;
+        let thread = match IDENT.get() {
+            Some(known) => known,
+            None => py.import("threading")?.call_method0("get_ident")?.extract()?,
+        };
+        IDENT.set(Some(thread));
         let threads = || self.threads.lock().unwrap_or_else(PoisonError::into_inner);
         threads().push(thread);
         let answer = ask(self.law.bind(py));
