@@ -1,6 +1,12 @@
-//! `pip install ./examples/own_law`, and in Python `own_law` is `uchain` with one more law, as fast as the built-in one:
+//! `pip install ./examples/own_law`, and in Python `own_law` is `uchain` with one more word for `chain.brain`, as fast as
+//! the built-in law:
 //!
-//! `own_law.run("corner", set={"chain.brain": "half"})` or `own_law.sweep("corner", {"chain.brain": ["node", "half"]})`
+//! ```python
+//! import own_law
+//!
+//! print(own_law.run(own_law.Scenario.from_name("corner").with_(**{"chain.brain": "half"})).verdict)
+//! table = own_law.sweep("corner", vary={"chain.brain": ["node", "half"]})
+//! ```
 
 use pyo3::prelude::*;
 use uchain_core::chain::{Brain, Command, Estimates, Node, NodeParams, Observation, Packet, Role};
