@@ -171,7 +171,7 @@ except KeyboardInterrupt:
         command = [sys.executable, "-c", program.replace("LAW", law)]
         done = subprocess.run(command, capture_output=True, text=True, timeout=60)
         assert done.stdout.startswith("ended after"), done.stderr
-        assert float(done.stdout.split()[-1]) < 1.3
+        assert float(done.stdout.split()[-1]) < 5
 
 
 def test_nothing_is_asked_after_a_law_has_raised():
@@ -455,4 +455,4 @@ except KeyboardInterrupt:
         command = [sys.executable, "-c", program.replace("LAW", law)]
         done = subprocess.run(command, capture_output=True, text=True, timeout=60)
         assert done.stdout.startswith("ended after"), done.stderr
-        assert float(done.stdout.split()[-1]) < 1
+        assert float(done.stdout.split()[-1]) < 5
