@@ -15,10 +15,25 @@
 //! ```
 //!
 //! It is for programs. A library that said it would replace `exp`, `sin` and 59 other functions of C in every program
-//! that uses it; `uchain-sim` does not. No feature, no heap, no std. Rounding is that of `libm`: most results are within one
+//! that uses it; `uchain-sim` does not. No heap, no std. The one feature, `hidden`, is for shared libraries: the functions
+//! are theirs alone, and not of whoever loads them. Rounding is that of `libm`: most results are within one
 //! unit of the last place, and slower to come by than those of a C library with vector instructions.
 #![no_std]
 #![expect(unsafe_code, reason = "a symbol under a C name is all this crate is for; its meaning is C's own")]
+
+/// Gives a function's symbol ELF's visibility "hidden", which has no attribute in Rust. With link-time optimization the
+/// linker gets our functions as part of the library itself, and its `--exclude-libs` does not know them any more.
+macro_rules! hide {
+    ($name:ident) => {
+        #[cfg(all(
+            feature = "hidden",
+            not(windows),
+            not(target_vendor = "apple"),
+            not(target_family = "wasm")
+        ))]
+        core::arch::global_asm!(concat!(".hidden ", stringify!($name)));
+    };
+}
 
 /// Functions of numbers, under the names and with the arguments of C's `math.h`.
 macro_rules! answer {
@@ -28,6 +43,7 @@ macro_rules! answer {
             extern "C" fn $name($($x: $float),+) -> $float {
                 libm::$name($($x),+)
             }
+            hide!($name);
         )*
     };
 }
@@ -53,12 +69,14 @@ answer! {
 extern "C" fn sincosf(x: f32, sin: &mut f32, cos: &mut f32) {
     (*sin, *cos) = libm::sincosf(x);
 }
+hide!(sincosf);
 
 /// C's `sincos`.
 #[unsafe(no_mangle)]
 extern "C" fn sincos(x: f64, sin: &mut f64, cos: &mut f64) {
     (*sin, *cos) = libm::sincos(x);
 }
+hide!(sincos);
 
 #[cfg(test)]
 mod tests {
