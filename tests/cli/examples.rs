@@ -114,6 +114,13 @@ const STANDS_IN: &[(&str, &str)] = &[
             *) echo "cargo $*: what is that?" >&2; exit 1 ;;
         esac"#,
     ),
+    (
+        "pip",
+        r#"case "$*" in
+            "install ./"*) test -f "$PROJECT/$2/pyproject.toml" ;;
+            *) echo "pip $*: what is that?" >&2; exit 1 ;;
+        esac"#,
+    ),
     ("jq", r#"asked="$ASKED/$(date +%N)$$"; printf '%s ' "$@" > "$asked.words"; cat > "$asked.json""#),
     ("man", "cat > /dev/null"),
     ("less", r#"test -s "$1""#),
@@ -308,6 +315,7 @@ fn a_wrong_example_is_found() {
         "cargo xtask tset",
         "cargo install --path crates/uchain-cly",
         "cargo run --release --example flie",
+        "pip install ./crates/uchain-pi",
         "uchain report sweeps/corners",
     ];
     for line in lines {
