@@ -261,14 +261,12 @@ def interrupted(out: str, replicates: int = 20_000, after_s: float = 1.5) -> tup
     return time.monotonic() - start, subprocess.CompletedProcess([], child.returncode, said, errors)
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C is no signal there")
 def test_ctrl_c_ends_a_sweep_within_a_second(tmp_path: pathlib.Path):
     took_s, done = interrupted("")
     assert done.returncode != 0 and b"KeyboardInterrupt" in done.stderr and b"done" not in done.stdout
     assert took_s < 5
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C is no signal there")
 def test_a_sweep_that_was_interrupted_goes_on_and_has_the_same_bytes(tmp_path: pathlib.Path):
     out = tmp_path / "out"
     took_s, done = interrupted(str(out), replicates=700, after_s=0.7)

@@ -11,6 +11,8 @@ use std::{
 
 use pyo3::prelude::*;
 
+use crate::errors;
+
 /// How often Python is asked whether somebody pressed Ctrl-C.
 const ASK: Duration = Duration::from_millis(50);
 
@@ -19,7 +21,7 @@ const ASK: Duration = Duration::from_millis(50);
 /// then with the lock, on the thread of the caller: for progress.
 ///
 /// # Errors
-/// `KeyboardInterrupt`, or what a signal handler or `meanwhile` raises.
+/// `KeyboardInterrupt`, or what a signal handler or `meanwhile` raises; `UchainError` if the work panics.
 pub(crate) fn off_the_lock<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> T + Send,
@@ -44,7 +46,7 @@ pub(crate) fn off_the_lock_until<T: Send>(
             let (done, is_done) = sync_channel(1);
             let stop = &stop;
             scope.spawn(move || {
-                let result = work(stop);
+                let result = errors::caught(|| work(stop));
                 // Nobody waits any more once an exception is under way.
                 let _ = done.send(result);
             });
@@ -52,7 +54,7 @@ pub(crate) fn off_the_lock_until<T: Send>(
                 match is_done.recv_timeout(ASK) {
                     Ok(result) => {
                         Python::attach(|py| py.check_signals().and_then(|()| meanwhile(py)))?;
-                        return Ok(result);
+                        return result;
                     }
                     Err(RecvTimeoutError::Timeout) => {
                         let asked = Python::attach(|py| py.check_signals().and_then(|()| meanwhile(py)));
@@ -62,8 +64,9 @@ pub(crate) fn off_the_lock_until<T: Send>(
                             return Err(raised);
                         }
                     }
-                    // The thread panicked: the scope passes it on.
-                    Err(RecvTimeoutError::Disconnected) => thread::yield_now(),
+                    Err(RecvTimeoutError::Disconnected) => {
+                        return Err(errors::UchainError::new_err("the work ended without a result"));
+                    }
                 }
             }
         })
