@@ -1,0 +1,42 @@
+// @ts-check
+// Which boxes a flight's plot has, and which lines are in them.
+
+import { uavColour } from "uchain/draw/colours.js";
+
+/** At most so many lines in a box. */
+export const LINES = 6;
+/** Up to so many links each has a box of its own; past it, six share one. */
+const OWN_BOX = 30;
+
+/**
+ * @typedef {{id: number, label: string, colour: string, solid: string, dashed: string|null, dots: string|null}} Line
+ * @typedef {{title: string, unit: string, lines: Line[], scale: string, least: [number, number]|null, whole: boolean}} Spec
+ */
+
+/** The boxes for a pane. `scale`: boxes of one scale share their axis. @param {any} pane @returns {Spec[]} */
+export function specOf(pane) {
+  return pane.explores ? exploration(pane) : chain(pane);
+}
+
+function chain(pane) {
+  const lines = [];
+  for (let id = 0; id < pane.crew; id += 1) {
+    lines.push({ id, label: pane.nameOf(id), colour: uavColour(id), solid: `filtered_db.${id}`, dashed: `true_db.${id}`, dots: `raw_db.${id}` });
+  }
+  const each = pane.crew <= LINES ? LINES : pane.crew <= OWN_BOX ? 1 : LINES;
+  const boxes = [];
+  for (let i = 0; i < lines.length; i += each) {
+    const some = lines.slice(i, i + each);
+    const title = pane.crew <= LINES ? "" : some.length > 1 ? `${some[0].label} to ${some[some.length - 1].id}` : some[0].label;
+    boxes.push({ title, unit: "dB", lines: some, scale: "loss", least: null, whole: false });
+  }
+  return boxes;
+}
+
+function exploration(pane) {
+  const line = (/** @type {string} */ column, /** @type {string} */ label, /** @type {string} */ colour) => ({ id: -1, label, colour, solid: column, dashed: null, dots: null });
+  return [
+    { title: "seen of what can be reached (%)", unit: "%", lines: [line("coverage", "", uavColour(1))], scale: "coverage", least: /** @type {[number, number]} */ ([0, 100]), whole: false },
+    { title: "groups that hear each other (hubs), robots that move", unit: "", lines: [line("hubs", "hubs", uavColour(0)), line("moving", "moving", uavColour(2))], scale: "count", least: /** @type {[number, number]} */ ([0, pane.crew]), whole: true },
+  ];
+}

@@ -1,0 +1,35 @@
+// @ts-check
+// The page begins: its parts are started, and the flight that came with it is opened.
+
+import { app } from "uchain/app.js";
+import { Engine } from "uchain/engine.js";
+import * as stage from "uchain/draw/stage.js";
+import * as bar from "uchain/panel/bar.js";
+import * as events from "uchain/panel/events.js";
+import * as keys from "uchain/panel/keys.js";
+import * as layers from "uchain/panel/layers.js";
+import * as say from "uchain/panel/say.js";
+import * as tabs from "uchain/panel/tabs.js";
+import * as timeline from "uchain/panel/timeline.js";
+import * as welcome from "uchain/panel/welcome.js";
+
+/** The flight in this page or its address; null = it has none. */
+function brought() {
+  const text = document.getElementById("flight")?.textContent;
+  return text ? JSON.parse(text) : null;
+}
+
+async function begin() {
+  for (const part of [say, keys, stage, tabs, bar, layers, timeline, events, welcome]) part.start();
+  bar.list(await Engine.start());
+  const flight = brought();
+  const linked = location.hash.startsWith("#flight=");
+  if (flight) await app.open(flight);
+  else if (!linked) await bar.fly("circuit", 1);
+  if (!flight && !linked) welcome.show();
+  if (!matchMedia("(prefers-reduced-motion: reduce)").matches) app.play();
+}
+
+Object.assign(window, { uchain: app });
+app.start();
+begin().catch((fault) => app.fault(fault));

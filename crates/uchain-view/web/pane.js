@@ -1,0 +1,171 @@
+// @ts-check
+// One flight on the page: its engine, and what of it is flown and read so far.
+
+/** Longest that one call of the engine should take (ms), so that a frame can end in time. */
+const CALL_MS = 3;
+
+/** Numbers over time as they come from the engine, row by row. */
+class Series {
+  columns = /** @type {string[]} */ ([]);
+  rows = 0;
+  data = new Float32Array(0);
+  #index = new Map();
+
+  /** @param {string[]} columns */
+  name(columns) {
+    if (columns.length === this.columns.length) return;
+    this.columns = columns;
+    this.#index = new Map(columns.map((name, i) => [name, i]));
+  }
+
+  /** @param {Float32Array} more */
+  append(more) {
+    const width = this.columns.length;
+    const used = this.rows * width;
+    if (used + more.length > this.data.length) {
+      const roomier = new Float32Array(Math.max(2 * this.data.length, used + more.length, 4096));
+      roomier.set(this.data.subarray(0, used));
+      this.data = roomier;
+    }
+    this.data.set(more, used);
+    this.rows += Math.floor(more.length / width);
+  }
+
+  /** Where a column is in a row; -1 = there is none. @param {string} name */
+  column(name) {
+    return this.#index.get(name) ?? -1;
+  }
+
+  /** @param {number} row @param {number} column */
+  at(row, column) {
+    return this.data[row * this.columns.length + column];
+  }
+
+  /** The last row whose time is not after `time_s`; -1 = none. @param {number} time_s */
+  rowAt(time_s) {
+    let low = 0;
+    let high = this.rows;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.at(middle, 0) <= time_s + 1e-4) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+}
+
+export class Pane {
+  /** How far it is flown (ticks). */
+  tick = 0;
+  /** Why it is over: `{why, words}`; null = it is not. @type {{why: string, words: string}|null} */
+  stopped = null;
+  /** @type {any[]} */
+  events = [];
+  series = new Series();
+  /** What an exploration's robots have drawn up so far. */
+  graph = { nodes: /** @type {any[]} */ ([]), labels: /** @type {any[]} */ ([]), edges: /** @type {any[]} */ ([]) };
+  /** The frame at the cursor. @type {any} */
+  frame = null;
+  /** Counts up whenever what was read so far is forgotten (`cut`, thinning): drawings begin again. */
+  version = 0;
+  /** Fails once, then stands still. */
+  broken = false;
+  #kept_every = 0;
+  #ms_per_tick = 0.05;
+
+  /** @param {import("uchain/engine.js").Engine} engine @param {any} scene @param {any} flight */
+  constructor(engine, scene, flight) {
+    this.engine = engine;
+    this.scene = scene;
+    this.flight = flight;
+  }
+
+  get explores() {
+    return this.scene.mission === "exploration";
+  }
+
+  /** How many UAVs or robots. */
+  get crew() {
+    return this.scene.crew;
+  }
+
+  /** "UAV 3" or "robot 3". @param {number} id */
+  nameOf(id) {
+    return `${this.scene.robot} ${id}`;
+  }
+
+  /** The last tick it can have, as far as is known. */
+  get end() {
+    return this.stopped ? this.tick : this.scene.ticks;
+  }
+
+  /**
+   * Flies on to `to` (ticks) as far as it gets by `until_ms` (performance.now). True = something is new.
+   * @param {number} to @param {number} until_ms
+   */
+  advance(to, until_ms) {
+    let grown = false;
+    let now = performance.now();
+    while (!this.stopped && !this.broken && this.tick < to && now + this.#ms_per_tick < until_ms) {
+      const fits = Math.floor(Math.min(CALL_MS, until_ms - now) / this.#ms_per_tick);
+      const before = this.tick;
+      const answer = this.engine.do("advance", { ticks: Math.max(1, Math.min(to - this.tick, fits, 20_000)) });
+      this.tick = answer.tick;
+      this.stopped = answer.stopped ?? null;
+      for (const event of answer.events) this.events.push(event);
+      if (answer.kept_every !== this.#kept_every) this.#thinned(answer.kept_every);
+      grown = true;
+      const after = performance.now();
+      const flown = Math.max(1, this.tick - before);
+      this.#ms_per_tick = Math.max(1e-4, 0.7 * this.#ms_per_tick + (0.3 * (after - now)) / flown);
+      now = after;
+      if (this.tick === before) break;
+    }
+    if (grown) this.#read();
+    return grown;
+  }
+
+  /** Forgets all from `tick` on, and is at tick 0 again; to be advanced to `tick`. @param {number} tick */
+  cut(tick) {
+    this.engine.do("cut", { tick });
+    this.tick = 0;
+    this.stopped = null;
+    this.broken = false;
+    this.events = [];
+    this.frame = null;
+    this.graph = { nodes: [], labels: [], edges: [] };
+    this.#forget();
+  }
+
+  /** The frame at `tick`, or the nearest kept one before; true = it is another one than before. @param {number} tick */
+  look(tick) {
+    const at = Math.min(tick, this.tick);
+    if (this.frame && this.frame.exact && this.frame.tick === at) return false;
+    const had = this.frame;
+    this.frame = this.engine.do("frame", { tick: at });
+    return !had || had.tick !== this.frame.tick || had.exact !== this.frame.exact;
+  }
+
+  #thinned(kept_every) {
+    if (this.#kept_every) this.#forget();
+    this.#kept_every = kept_every;
+  }
+
+  #forget() {
+    this.series = new Series();
+    this.version += 1;
+  }
+
+  #read() {
+    const told = this.engine.do("series", { from: this.series.rows });
+    this.series.name(told.columns);
+    const bytes = this.engine.payload();
+    if (told.rows > 0) this.series.append(new Float32Array(bytes.buffer, 0, told.rows * told.columns.length));
+    if (!this.explores) return;
+    const { nodes, labels, edges } = this.graph;
+    const more = this.engine.do("graph", { from: { nodes: nodes.length, labels: labels.length, edges: edges.length } });
+    for (const one of more.nodes) nodes.push(one);
+    for (const one of more.labels) labels.push(one);
+    for (const one of more.edges) edges.push(one);
+  }
+}
