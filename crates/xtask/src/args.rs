@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use crate::{
     bench::Bench,
     steps::{STEPS, Step},
+    web::Effort,
 };
 
 /// What the caller wants.
@@ -17,6 +18,8 @@ pub(crate) enum Wish {
     Bench(Bench),
     /// Who imports whom.
     Rooms,
+    /// The page.
+    Web(Effort),
 }
 
 pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> {
@@ -28,7 +31,18 @@ pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> 
         "test" => test(&args[1..]),
         "bench" => bench(&args[1..]),
         "rooms" => args.get(1).map_or(Ok(Wish::Rooms), |more| Err(format!("what is `{more}`?"))),
-        other => Err(format!("unknown task `{other}`{}", meant(other, &["test", "bench", "rooms", "help"]))),
+        "web" => web(&args[1..]),
+        other => {
+            Err(format!("unknown task `{other}`{}", meant(other, &["test", "bench", "rooms", "web", "help"])))
+        }
+    }
+}
+
+fn web(args: &[String]) -> Result<Wish, String> {
+    match args {
+        [] => Ok(Wish::Web(Effort::Quick)),
+        [only] if only == "--dist" => Ok(Wish::Web(Effort::Dist)),
+        [more, ..] => Err(format!("`web` takes --dist or nothing; what is `{more}`?")),
     }
 }
 
@@ -68,7 +82,8 @@ pub(crate) fn help() -> String {
     let mut text = String::from(
         "Usage: cargo xtask test [STEP]...\n       \
                 cargo xtask bench [FILTER | --accept]\n       \
-                cargo xtask rooms\n\n\
+                cargo xtask rooms\n       \
+                cargo xtask web [--dist]\n\n\
          `test` runs the named steps, or all of them, in this order; the first failure ends it:\n\n",
     );
     for step in STEPS {
@@ -82,7 +97,9 @@ pub(crate) fn help() -> String {
         "\n`bench` times everything, or what matches FILTER, and prints one table, ratios to the baselines\n\
          first. Without a filter it then counts instructions under valgrind and compares them with\n\
          benches/instructions.txt; --accept only counts, and writes that file.\n\
-         \n`rooms` prints which module at the top of a crate imports which others.\n",
+         \n`rooms` prints which module at the top of a crate imports which others.\n\
+         \n`web` builds target/web/uchain.html, the page that `uchain view` opens; --dist takes longer and\n\
+         makes it as small as it gets, with wasm-opt (binaryen) if that is there.\n",
     );
     text
 }
@@ -97,6 +114,8 @@ mod tests {
             Wish::Test(steps) => Ok(steps.iter().map(|s| s.name).collect()),
             Wish::Bench(_) => Ok(vec!["bench"]),
             Wish::Rooms => Ok(vec!["rooms"]),
+            Wish::Web(Effort::Quick) => Ok(vec!["web"]),
+            Wish::Web(Effort::Dist) => Ok(vec!["web", "dist"]),
         }
     }
 
@@ -120,5 +139,12 @@ mod tests {
         assert_eq!(names(&["bench", "rays"]), Ok(vec!["bench"]));
         assert!(names(&["bench", "rays", "w1"]).is_err());
         assert!(names(&["bench", "rays", "--accept"]).is_err());
+    }
+
+    #[test]
+    fn the_page_is_built_fast_or_small() {
+        assert_eq!(names(&["web"]), Ok(vec!["web"]));
+        assert_eq!(names(&["web", "--dist"]), Ok(vec!["web", "dist"]));
+        assert_eq!(names(&["web", "dist"]), Err("`web` takes --dist or nothing; what is `dist`?".into()));
     }
 }

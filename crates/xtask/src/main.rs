@@ -1,4 +1,5 @@
-//! The gate: every check of the project, one after the other, stopping at the first that fails; and the benchmarks.
+//! The gate: every check of the project, one after the other, stopping at the first that fails; the benchmarks; and the
+//! page.
 
 mod args;
 mod bench;
@@ -6,6 +7,7 @@ mod house;
 mod nm;
 mod rooms;
 mod steps;
+mod web;
 
 use std::{
     process::ExitCode,
@@ -42,6 +44,13 @@ fn main() -> ExitCode {
             }
             Err(error) => {
                 eprintln!("rooms: {error:#}");
+                ExitCode::FAILURE
+            }
+        },
+        Ok(Wish::Web(effort)) => match web::web(&House::find(), effort) {
+            Ok(_) => ExitCode::SUCCESS,
+            Err(error) => {
+                eprintln!("web: {error:#}");
                 ExitCode::FAILURE
             }
         },
