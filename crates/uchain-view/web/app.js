@@ -135,9 +135,10 @@ class App {
       scene = engine.do("recording", { label: flight.label }, bytes);
       flight = { kind: "recording", label: flight.label, bytes };
     } else {
-      scene = engine.do("open", flight);
+      scene = engine.do("open", { flight });
     }
     const pane = new Pane(engine, scene, flight);
+    pane.advance(1, Infinity);
     pane.look(0);
     const added = index >= this.panes.length;
     this.panes[Math.min(index, this.panes.length)] = pane;

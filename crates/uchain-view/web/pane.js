@@ -62,7 +62,7 @@ export class Pane {
   /** @type {any[]} */
   events = [];
   series = new Series();
-  /** What an exploration's robots have drawn up so far. */
+  /** What an exploration's robots have drawn up so far: nodes; labels `[tick, node, sector, label]`; edges `[tick, node, node]`. */
   graph = { nodes: /** @type {any[]} */ ([]), labels: /** @type {any[]} */ ([]), edges: /** @type {any[]} */ ([]) };
   /** The frame at the cursor. @type {any} */
   frame = null;
@@ -70,7 +70,8 @@ export class Pane {
   version = 0;
   /** Fails once, then stands still. */
   broken = false;
-  #kept_every = 0;
+  /** How often the engine has thinned its rows: then all are read again. */
+  #generation = 0;
   #ms_per_tick = 0.05;
 
   /** @param {import("uchain/engine.js").Engine} engine @param {any} scene @param {any} flight */
@@ -113,7 +114,7 @@ export class Pane {
       this.tick = answer.tick;
       this.stopped = answer.stopped ?? null;
       for (const event of answer.events) this.events.push(event);
-      if (answer.kept_every !== this.#kept_every) this.#thinned(answer.kept_every);
+      if (answer.generation !== this.#generation) this.#forget(answer.generation);
       grown = true;
       const after = performance.now();
       const flown = Math.max(1, this.tick - before);
@@ -139,19 +140,17 @@ export class Pane {
 
   /** The frame at `tick`, or the nearest kept one before; true = it is another one than before. @param {number} tick */
   look(tick) {
-    const at = Math.min(tick, this.tick);
+    // There is a frame after every tick, and none before the first.
+    const at = Math.max(1, Math.min(tick, this.tick));
+    if (this.tick === 0) return false;
     if (this.frame && this.frame.exact && this.frame.tick === at) return false;
     const had = this.frame;
     this.frame = this.engine.do("frame", { tick: at });
     return !had || had.tick !== this.frame.tick || had.exact !== this.frame.exact;
   }
 
-  #thinned(kept_every) {
-    if (this.#kept_every) this.#forget();
-    this.#kept_every = kept_every;
-  }
-
-  #forget() {
+  #forget(generation = 0) {
+    this.#generation = generation;
     this.series = new Series();
     this.version += 1;
   }
@@ -160,7 +159,7 @@ export class Pane {
     const told = this.engine.do("series", { from: this.series.rows });
     this.series.name(told.columns);
     const bytes = this.engine.payload();
-    if (told.rows > 0) this.series.append(new Float32Array(bytes.buffer, 0, told.rows * told.columns.length));
+    this.series.append(new Float32Array(bytes.buffer, 0, bytes.length >> 2));
     if (!this.explores) return;
     const { nodes, labels, edges } = this.graph;
     const more = this.engine.do("graph", { from: { nodes: nodes.length, labels: labels.length, edges: edges.length } });

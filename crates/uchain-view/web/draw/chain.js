@@ -43,12 +43,12 @@ export function drawChain(context, view, pane) {
   context.lineJoin = context.lineCap = "round";
   if (shown.trails) drawTrails(context, view, pane);
   if (shown.beams) drawBeams(context, view, pane);
-  places(context, view, pane);
-  for (const link of frame.links) drawLink(context, view, frame, scene, link);
   const size = discPx(pane, view);
   for (let id = frame.uavs.length - 1; id >= 0; id -= 1) {
     if (!frame.uavs[id].airborne) waiting(context, view, frame.uavs[id], size);
   }
+  for (const link of frame.links) drawLink(context, view, frame, scene, link);
+  places(context, view, pane);
   for (let id = frame.uavs.length - 1; id >= 0; id -= 1) {
     if (frame.uavs[id].airborne) drawDisc(context, view.px(frame.uavs[id].x_m), view.py(frame.uavs[id].y_m), frame.uavs[id].heading_rad, id, size);
   }
@@ -140,7 +140,7 @@ function places(context, view, pane) {
   context.fillRect(x - 7, y - 7, 14, 14);
   context.fillStyle = colours.free;
   context.fillRect(x - 2.5, y - 2.5, 5, 5);
-  const ground = pane.frame.uavs.filter((/** @type {any} */ uav) => !uav.airborne && !(uav.failed ?? false)).length;
+  const ground = pane.frame.uavs.filter((/** @type {any} */ uav) => !uav.airborne).length;
   label(context, ground ? `base, ${ground} waiting` : "base", x, y + 11);
 }
 
@@ -160,8 +160,7 @@ function drawLink(context, view, frame, scene, link) {
   const behind = link.behind === null ? { x_m: scene.chain.base_m[0], y_m: scene.chain.base_m[1] } : frame.uavs[link.behind];
   if (!front || !behind) return;
   const [ax, ay, bx, by] = [view.px(behind.x_m), view.py(behind.y_m), view.px(front.x_m), view.py(front.y_m)];
-  const silent_s = Math.min(link.front_silence_s ?? Infinity, link.rear_silence_s ?? Infinity);
-  const lost = link.true_db >= scene.chain.limit_db || silent_s >= scene.chain.lost_s;
+  const lost = link.heard === false;
   context.strokeStyle = linkColour(link.true_db, scene.chain.s_min_db);
   context.lineWidth = 4;
   context.globalAlpha = 0.9;
@@ -174,7 +173,7 @@ function drawLink(context, view, frame, scene, link) {
   context.globalAlpha = 1;
   const long_px = Math.hypot(bx - ax, by - ay);
   const [mx, my] = [(ax + bx) / 2, (ay + by) / 2];
-  if (!link.heard) cross(context, mx, my);
+  if (missed(link, scene)) cross(context, mx, my);
   if (!shown.losses || long_px < ROOM_PX) return;
   const [nx, ny] = [-(by - ay) / long_px, (bx - ax) / long_px];
   const side = ny > 0 || (ny === 0 && nx > 0) ? -1 : 1;
@@ -184,6 +183,12 @@ function drawLink(context, view, frame, scene, link) {
   const words = lost ? `${link.true_db.toFixed(0)} dB, lost` : `${link.true_db.toFixed(0)} dB`;
   const off = 12 + Math.abs(nx) * 12;
   label(context, words, mx + nx * side * off, my + ny * side * off);
+}
+
+/** Whether the last packet from one of its ends did not come through. */
+function missed(link, scene) {
+  const due_s = 1.5 * scene.chain.decision_ticks * scene.tick_s;
+  return Math.max(link.front_silence_s ?? 0, link.rear_silence_s ?? 0) > due_s;
 }
 
 /** A packet that was not heard. */

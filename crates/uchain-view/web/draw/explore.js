@@ -66,16 +66,16 @@ export class Explored {
     const edge = this.#context(this.#edges, ratio);
     edge.strokeStyle = edge.fillStyle = colours.soft;
     edge.lineWidth = 1.2;
-    for (; done.edges < edges.length && edges[done.edges].tick <= tick; done.edges += 1) {
-      const [a, b] = [nodes[edges[done.edges].a], nodes[edges[done.edges].b]];
-      if (!a || !b) continue;
+    for (; done.edges < edges.length && edges[done.edges][0] <= tick; done.edges += 1) {
+      const [, from, to] = edges[done.edges];
+      const [a, b] = [nodes[from], nodes[to]];
       edge.beginPath();
       edge.moveTo(view.px(a.at_m[0]), view.py(a.at_m[1]));
       edge.lineTo(view.px(b.at_m[0]), view.py(b.at_m[1]));
       edge.stroke();
     }
-    for (; done.labels < labels.length && labels[done.labels].tick <= tick; done.labels += 1) {
-      const { node, sector, label } = labels[done.labels];
+    for (; done.labels < labels.length && labels[done.labels][0] <= tick; done.labels += 1) {
+      const [, node, sector, label] = labels[done.labels];
       const which = node * pane.scene.exploration.sectors + sector;
       if (label === "frontier") this.#frontiers.add(which);
       else this.#frontiers.delete(which);
@@ -97,12 +97,11 @@ export class Explored {
     context.beginPath();
     for (const which of this.#frontiers) {
       const node = pane.graph.nodes[Math.floor(which / sectors)];
-      const middle = first_rad + (which % sectors) * wide;
+      const from = -(first_rad + (which % sectors) * wide);
       const radius = node.r_m[which % sectors] * view.scale;
       const [x, y] = [view.px(node.at_m[0]), view.py(node.at_m[1])];
-      const from = -(middle + wide / 2);
       context.moveTo(x + Math.cos(from) * radius, y + Math.sin(from) * radius);
-      context.arc(x, y, radius, from, from + wide);
+      context.arc(x, y, radius, from, from - wide, true);
     }
     context.stroke();
   }
@@ -144,8 +143,8 @@ function fillStar(context, view, node, { sectors, first_rad }) {
   const [x, y] = [view.px(node.at_m[0]), view.py(node.at_m[1])];
   context.beginPath();
   for (let sector = 0; sector < sectors; sector += 1) {
-    const from = -(first_rad + sector * wide + wide / 2);
-    context.arc(x, y, Math.max(0, node.r_m[sector] * view.scale), from + wide, from, true);
+    const from = -(first_rad + sector * wide);
+    context.arc(x, y, Math.max(0, node.r_m[sector] * view.scale), from, from - wide, true);
   }
   context.closePath();
   context.fill();

@@ -3,11 +3,15 @@
 
 import { onUav, palette, uavColour } from "uchain/draw/colours.js";
 
+/** So many levels are shown at least. */
+const LEVELS = 3;
 const [WIDE, HIGH, EDGE] = [190, 92, 10];
 
 /** @param {CanvasRenderingContext2D} context @param {import("uchain/draw/view.js").View} view @param {any} pane */
 export function drawHeights(context, view, pane) {
-  const levels = pane.scene.exploration.level_z_m;
+  const robots = pane.frame.robots;
+  const used = Math.max(LEVELS, ...robots.map((/** @type {any} */ robot) => robot.level + 1));
+  const levels = pane.scene.exploration.level_z_m.slice(0, used);
   if (!levels.length || view.width < 420) return;
   const colours = palette();
   const [left, top] = [view.width - WIDE - EDGE, EDGE];
@@ -23,7 +27,7 @@ export function drawHeights(context, view, pane) {
   context.textAlign = "left";
   context.fillStyle = colours.soft;
   context.fillText("from the side: height (m)", left + 8, top + 11);
-  const highest = Math.max(...levels, ...pane.frame.robots.map((/** @type {any} */ robot) => robot.z_m), 1e-3) * 1.1;
+  const highest = Math.max(...levels, ...robots.map((/** @type {any} */ robot) => robot.z_m), 1e-3) * 1.1;
   const py = (/** @type {number} */ z_m) => top + HIGH - 8 - (z_m / highest) * (HIGH - 34);
   for (const z_m of levels) {
     context.beginPath();
@@ -33,7 +37,7 @@ export function drawHeights(context, view, pane) {
     context.fillText(z_m.toFixed(2), left + 6, py(z_m));
   }
   const [x0, , x1] = pane.scene.map.bounds;
-  pane.frame.robots.forEach((/** @type {any} */ robot, /** @type {number} */ id) => {
+  robots.forEach((/** @type {any} */ robot, /** @type {number} */ id) => {
     const x = left + 44 + ((robot.x_m - x0) / Math.max(1e-3, x1 - x0)) * (WIDE - 62);
     context.beginPath();
     context.arc(x, py(robot.z_m), 6, 0, 7);

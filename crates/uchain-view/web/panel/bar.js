@@ -14,7 +14,7 @@ let library;
 
 /** Flies a scenario that comes along. @param {string} name @param {number} seed */
 export async function fly(name, seed) {
-  const text = library.do("text", { name });
+  const { text } = library.do("text", { name });
   return app.open({ kind: "scenario", label: `${name}.toml`, text, seed, walls_csv: null, map_offset_m: [0, 0], inputs: [] });
 }
 
@@ -22,11 +22,10 @@ export async function fly(name, seed) {
 export function list(engine) {
   library = engine;
   scenarios = engine.do("about").scenarios;
-  const groups = { chain: "Chains of UAVs", exploration: "Explorations" };
-  for (const [mission, words] of Object.entries(groups)) {
+  for (const [explores, words] of /** @type {[boolean, string][]} */ ([[false, "Chains of UAVs"], [true, "Explorations"]])) {
     const group = document.createElement("optgroup");
     group.label = words;
-    for (const one of scenarios.filter((one) => one.mission === mission)) {
+    for (const one of scenarios.filter((one) => one.mission.includes("exploration") === explores)) {
       const option = new Option(one.flies ? one.name : `${one.name} (needs its map: open it)`, one.name);
       option.title = one.description;
       option.disabled = !one.flies;

@@ -14,13 +14,19 @@ export function key(keys, shown, words, run, mode = null) {
   ALL.push({ keys, shown, words, mode, run });
 }
 
+/** Keys that a slider uses itself. */
+const SLIDER = ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home", "End", "PageUp", "PageDown"];
+
 /** True while a key is meant for what has the focus: text, a menu, or a control that uses that key itself. */
 function taken(/** @type {KeyboardEvent} */ event) {
   const at = /** @type {HTMLElement} */ (event.target);
-  if (at.isContentEditable || ["TEXTAREA", "SELECT"].includes(at.tagName)) return true;
-  if (at.tagName === "INPUT") return true;
-  if (at.closest("dialog")) return true;
-  return at.tagName === "BUTTON" && (event.key === " " || event.key === "Enter");
+  if (at.isContentEditable || ["TEXTAREA", "SELECT"].includes(at.tagName) || at.closest("dialog")) return true;
+  const presses = event.key === " " || event.key === "Enter";
+  if (at instanceof HTMLInputElement) {
+    if (at.type === "range") return SLIDER.includes(event.key);
+    return at.type === "checkbox" || at.type === "radio" ? presses : true;
+  }
+  return (at.tagName === "BUTTON" || at.tagName === "SUMMARY") && presses;
 }
 
 function list() {
@@ -54,6 +60,11 @@ function list() {
 export function start() {
   document.getElementById("keys")?.addEventListener("click", list);
   key(["?"], "?", "this list", list);
+  // A button that was pressed with the pointer does not keep the keys.
+  document.addEventListener("click", (event) => {
+    const button = /** @type {HTMLElement} */ (event.target).closest?.("button");
+    if (event.detail > 0 && button && !button.closest("dialog, [role=tablist]")) button.blur();
+  });
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || taken(event)) return;
     const found = ALL.find((one) => one.keys.includes(event.key) && (one.mode === null || one.mode === app.mode));

@@ -1,26 +1,148 @@
 // @ts-check
-// How events look: which row of the time line they are in, and their sign.
+// What happened, as marks on the time line: rows by kind, near ones together; words on hover and focus, a press goes there.
 
-/** Rows of the time line, top to bottom. */
-export const ROWS = [
-  { name: "launches", words: "launches" },
-  { name: "overrides", words: "overrides" },
-  { name: "links", words: "links" },
-  { name: "contacts", words: "contacts" },
+import { app } from "uchain/app.js";
+import { clock } from "uchain/panel/events.js";
+
+/** Rows of the time line, top to bottom: which kinds of events, and how they look. */
+const ROWS = [
+  { words: "launches", kinds: /took-off|launch|failed|purpose|^over$/ },
+  { words: "links", kinds: /link/ },
+  { words: "contacts", kinds: /contact|level-pass/ },
+  { words: "overrides", kinds: /./ },
 ];
+const EXPLORING = ["purposes", "", "contacts", "holds"];
 
-const KINDS = [
-  [/took-off|launch/, "launches", "▲"],
-  [/failed/, "launches", "✕"],
-  [/link-lost/, "links", "✕"],
-  [/link/, "links", "●"],
-  [/contact|level-pass/, "contacts", "◆"],
-  [/override|wall|holds|keeps-clear|head-stop|retreat|spacing|push/, "overrides", "■"],
-  [/purpose|over/, "launches", "▲"],
-];
+/** Events nearer than this are one mark (pixels). */
+const NEAR_PX = 13;
+/** Marks are made again at most this often (ms). */
+const EVERY_MS = 250;
+/** So many events of a mark are told in words. */
+const TOLD = 6;
 
-/** The row and sign of an event. @param {{kind: string}} event */
+/** The row of an event's mark, and its sign. @param {{kind: string}} event */
 export function lookOf(event) {
-  const found = KINDS.find(([pattern]) => /** @type {RegExp} */ (pattern).test(event.kind));
-  return found ? { row: /** @type {string} */ (found[1]), sign: /** @type {string} */ (found[2]) } : { row: "overrides", sign: "•" };
+  const row = ROWS.findIndex(({ kinds }) => kinds.test(event.kind));
+  if (/failed|link-lost/.test(event.kind)) return { row, sign: "✕" };
+  return { row, sign: ["▲", "●", "◆", "■"][row] };
+}
+
+/** @typedef {{x: number, row: number, events: any[]}} Mark */
+
+export class Marks {
+  #made = "";
+  #made_ms = 0;
+
+  /** @param {HTMLElement} track @param {HTMLElement} tip */
+  constructor(track, tip) {
+    this.tip = tip;
+    this.names = document.createElement("div");
+    this.names.className = "rows";
+    this.box = document.createElement("div");
+    this.box.className = "marks";
+    this.box.setAttribute("role", "toolbar");
+    this.box.setAttribute("aria-label", "What happened; arrows go from mark to mark");
+    track.append(this.names, this.box);
+    this.box.addEventListener("keydown", (event) => this.#walk(event));
+    this.box.addEventListener("focusin", (event) => this.#tell(event.target));
+    this.box.addEventListener("focusout", () => (tip.hidden = true));
+    this.box.addEventListener("pointerover", (event) => this.#tell(event.target));
+    this.box.addEventListener("pointerout", () => (tip.hidden = true));
+  }
+
+  /** Makes the marks, if something has changed and it is time for it. */
+  show() {
+    const pane = app.panes[0];
+    const width = this.box.clientWidth;
+    if (!pane || width < 20) return;
+    const state = `${pane.version} ${pane.events.length} ${width} ${app.end} ${pane.scene.label} ${pane.events.at(-1)?.text}`;
+    const now = performance.now();
+    if (state === this.#made || (now < this.#made_ms + EVERY_MS && !pane.stopped)) return;
+    if (this.box.contains(document.activeElement) && !pane.stopped) return;
+    [this.#made, this.#made_ms] = [state, now];
+    this.#rows(pane);
+    this.box.replaceChildren(...gather(pane.events, width).map((mark, i) => this.#button(mark, i === 0)));
+  }
+
+  #rows(pane) {
+    const words = pane.explores ? EXPLORING : ROWS.map((row) => row.words);
+    if (this.names.textContent === words.join("")) return;
+    this.names.replaceChildren(
+      ...words.map((text) => {
+        const name = document.createElement("span");
+        name.textContent = text;
+        return name;
+      }),
+    );
+  }
+
+  /** @param {Mark} mark @param {boolean} first */
+  #button(mark, first) {
+    const button = document.createElement("button");
+    button.type = "button";
+    const gravest = ["error", "warning"].find((gravity) => mark.events.some((event) => event.gravity === gravity)) ?? "info";
+    button.className = `mark ${gravest}`;
+    button.style.left = `${mark.x}px`;
+    button.style.top = `${mark.row * 25}%`;
+    const shown = mark.events.find((event) => event.gravity === gravest);
+    button.textContent = lookOf(shown).sign;
+    button.tabIndex = first ? 0 : -1;
+    button.setAttribute("aria-label", wordsOf(mark).replaceAll("\n", ". "));
+    button.addEventListener("click", () => {
+      app.pause();
+      app.seek(shown.tick);
+      if (shown.uav !== null) app.selected = shown.uav;
+    });
+    this.#of.set(button, mark);
+    return button;
+  }
+
+  /** @type {WeakMap<Element, Mark>} */
+  #of = new WeakMap();
+
+  #tell(/** @type {any} */ button) {
+    const mark = this.#of.get(button);
+    if (!mark) return;
+    this.tip.textContent = wordsOf(mark);
+    this.tip.hidden = false;
+    const left = this.box.offsetLeft + mark.x;
+    const room = /** @type {HTMLElement} */ (this.tip.offsetParent ?? this.box).clientWidth;
+    this.tip.style.left = `${Math.max(4, Math.min(left - this.tip.offsetWidth / 2, room - this.tip.offsetWidth - 4))}px`;
+  }
+
+  #walk(/** @type {KeyboardEvent} */ event) {
+    const all = /** @type {HTMLElement[]} */ ([...this.box.children]);
+    const at = all.indexOf(/** @type {HTMLElement} */ (document.activeElement));
+    const to = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: all.length - 1 }[event.key];
+    if (at < 0 || to === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const next = all[Math.max(0, Math.min(all.length - 1, to))];
+    all[at].tabIndex = -1;
+    next.tabIndex = 0;
+    next.focus();
+  }
+}
+
+/** What a mark says. @param {Mark} mark */
+function wordsOf(mark) {
+  const lines = mark.events.slice(0, TOLD).map((event) => `${clock(event.time_s)}  ${event.text}`);
+  if (mark.events.length > TOLD) lines.push(`and ${mark.events.length - TOLD} more`);
+  return lines.join("\n");
+}
+
+/** Events that are near each other in a row become one mark; all in the order of time. @param {any[]} events @param {number} width */
+function gather(events, width) {
+  /** @type {Mark[]} */
+  const marks = [];
+  /** @type {(Mark|undefined)[]} */
+  const last = [];
+  for (const event of events) {
+    const x = (event.tick / Math.max(1, app.end)) * width;
+    const { row } = lookOf(event);
+    const open = last[row];
+    if (open && x - open.x < NEAR_PX) open.events.push(event);
+    else marks.push((last[row] = { x, row, events: [event] }));
+  }
+  return marks;
 }

@@ -131,7 +131,7 @@ export class Box {
         continue;
       }
       const nx = this.area.left + data[row * width] * perSecond;
-      const ny = base - value * perUnit;
+      const ny = base - value * perUnit * this.spec.times;
       if (begun) {
         context.lineTo(nx, ny);
         long += Math.hypot(nx - x, ny - y);

@@ -4,7 +4,7 @@
 import { Box } from "uchain/draw/plot/box.js";
 
 /** Room around the lines of one large box (pixels); the time line below has the same left and right. */
-export const AROUND = { left: 46, right: 66, top: 22, bottom: 22 };
+export const AROUND = { left: 76, right: 66, top: 22, bottom: 22 };
 
 /** @param {import("uchain/draw/plot/spec.js").Spec[]} specs @param {number} width @param {number} height */
 export function layOut(specs, width, height) {

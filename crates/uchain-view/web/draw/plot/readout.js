@@ -131,7 +131,7 @@ export class Readout {
     for (const { solid, label, colour, id } of spec.lines) {
       const value = lastOf(series, series.column(solid));
       if (value === null || !label) continue;
-      names.push({ y: box.py(value, range), text: this.plot.boxes.length > 2 ? String(id) : label, ink: colour });
+      names.push({ y: box.py(value * spec.times, range), text: this.plot.boxes.length > 2 ? String(id) : label, ink: colour });
     }
     if (spec.scale === "loss" && this.plot.boxes.length === 1) names.push({ y: box.py(scale.s_min_db, range), text: `s_min ${scale.s_min_db}`, ink: colours.soft });
     names.sort((a, b) => a.y - b.y);
@@ -188,7 +188,7 @@ export function valuesAt(pane, box, time_s) {
   const read = (/** @type {string|null} */ name) => {
     const column = name === null ? -1 : series.column(name);
     const value = column < 0 ? NaN : series.at(row, column);
-    return value === value ? value : null;
+    return value === value ? value * box.spec.times : null;
   };
   for (const { label, solid, dashed, dots } of box.spec.lines) {
     const values = [[solid, dashed ? "filtered" : ""], [dashed, "true"], [dots, "raw"]]
