@@ -4,6 +4,12 @@
 import { app } from "uchain/app.js";
 import { Engine } from "uchain/engine.js";
 import * as stage from "uchain/draw/stage.js";
+import * as compare from "uchain/hand/compare.js";
+import * as edit from "uchain/hand/edit.js";
+import * as files from "uchain/hand/files.js";
+import * as fly from "uchain/hand/fly.js";
+import * as share from "uchain/hand/share.js";
+import * as why from "uchain/hand/why.js";
 import * as bar from "uchain/panel/bar.js";
 import * as events from "uchain/panel/events.js";
 import * as keys from "uchain/panel/keys.js";
@@ -20,13 +26,14 @@ function brought() {
 }
 
 async function begin() {
-  for (const part of [say, keys, stage, tabs, bar, layers, timeline, events, welcome]) part.start();
+  for (const part of [say, keys, stage, tabs, bar, layers, timeline, events, welcome, why, fly, edit, files, share, compare]) part.start();
   bar.list(await Engine.start());
-  const flight = brought();
-  const linked = location.hash.startsWith("#flight=");
-  if (flight) await app.open(flight);
-  else if (!linked) await bar.fly("circuit", 1);
-  if (!flight && !linked) welcome.show();
+  const flight = brought() ?? (await share.linked());
+  if (flight) await app.open(flight).catch((fault) => app.fault(fault));
+  if (!app.panes.length) {
+    await bar.fly("circuit", 1);
+    welcome.show();
+  }
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches) app.play();
 }
 

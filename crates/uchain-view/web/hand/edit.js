@@ -1,0 +1,241 @@
+// The scenario as text: checked while it is typed, explained at the caret, flown with Ctrl+Enter. What is flown goes on
+// until then.
+
+import { app } from "uchain/app.js";
+import { Engine } from "uchain/engine.js";
+import { element } from "uchain/hand/element.js";
+import { Cards } from "uchain/hand/edit/cards.js";
+import { CornerHandles } from "uchain/hand/edit/handles.js";
+import { TextPanel } from "uchain/hand/edit/text.js";
+import { keyAt, setting, statements } from "uchain/hand/edit/toml.js";
+import { saveText } from "uchain/hand/files/save.js";
+import { show as showTab } from "uchain/panel/tabs.js";
+import { key } from "uchain/panel/keys.js";
+
+/** Checked so long after the last key (ms). */
+const CHECK_MS = 250;
+/** A text longer than this is no scenario of anybody's. */
+const MOST_LETTERS = 4_000_000;
+
+let panel;
+let text;
+let cards;
+let handles;
+let verdict;
+let seed;
+let flyButton;
+let sameInputs;
+let which;
+/** The pane whose text is edited. */
+let target = 0;
+/** Texts that were changed and not flown yet, by pane. */
+const drafts = new WeakMap();
+let timer = 0;
+let lastError = null;
+/** Reads scenarios whose walls are a map's; the flight's own engine flies on. @type {Engine|null} */
+let beside = null;
+/** The flights of recordings, asked once: their walls may be long. */
+const known = new WeakMap();
+
+export function start() {
+  panel = document.getElementById("edit");
+  Engine.start().then((engine) => (beside = engine)).catch((fault) => app.fault(fault));
+  text = new TextPanel({ label: "the scenario as text (TOML)", changed: typed, moved, enter: fly });
+  cards = new Cards({ ask: (key) => pane().engine.do("explain", { key }).cards, put });
+  handles = new CornerHandles({ text: () => text.text, edit: (edits) => text.edit(edits), drawn: () => check() && fly() });
+  verdict = element("p", { id: "edit-verdict", className: "edit-verdict", role: "status", onclick: () => lastError?.line && text.goToLine(lastError.line, lastError.column ?? 1) });
+  seed = element("input", { type: "number", min: "0", step: "1", value: "1", id: "edit-seed", onkeydown: (event) => event.key === "Enter" && fly() });
+  sameInputs = element("input", { type: "checkbox", checked: true });
+  flyButton = element("button", { type: "button", className: "main", onclick: fly, title: "Ctrl+Enter", "aria-keyshortcuts": "Control+Enter" }, "Fly this text");
+  which = element("div", { className: "edit-which", role: "group", "aria-label": "Which flight is edited", hidden: true });
+  panel.append(
+    which,
+    element("div", { className: "edit-row" },
+      flyButton,
+      element("label", {}, "seed ", seed),
+      element("label", { className: "edit-same", hidden: true }, sameInputs, element("span", {}, "same inputs")),
+      element("button", { type: "button", onclick: () => saveText(pane(), text.text), title: "Save this text as a TOML file" }, "Save TOML")),
+    text.node,
+    verdict,
+    element("p", { className: "quiet edit-corners", hidden: true }, "Corners of the corridor can be dragged on the map (or Tab to one and move it with the arrow keys). Ctrl+Z in the text takes it back."),
+    cards.node,
+  );
+  app.on("scene", opened);
+  app.on("panes", panesChanged);
+  app.on("grown", (grown) => grown === pane() && showInputs());
+  app.on("tab", (name) => {
+    showHandles();
+    if (name === "edit") check();
+  });
+  app.on("mode", showHandles);
+  app.on("draw", () => handles.place());
+  key(["e", "E"], "E", "edit the scenario", () => {
+    showTab("edit");
+    text.area.focus();
+  });
+}
+
+const pane = () => app.panes[Math.min(target, app.panes.length - 1)];
+
+/** Opens the editor on a text that is not right (or not flown yet), with its error at the line. */
+export function editText(draft, label) {
+  showTab("edit");
+  drafts.set(pane(), draft);
+  text.open(draft);
+  check();
+  app.say("note", `${label} is in the editor; what was flown goes on until you press Fly.`);
+  text.area.focus();
+}
+
+/** Edits the text of this pane from now on. */
+export function editPane(index) {
+  target = index;
+  load();
+  panesChanged();
+}
+
+/** Sets a key in the text, as if typed. */
+export function put(path, value) {
+  const change = setting(text.text, path, value);
+  text.edit([change]);
+  const at = change.from + change.text.length - value.length;
+  text.goTo(Math.max(0, Math.min(at, text.text.length)), Math.min(at + value.length, text.text.length));
+}
+
+function opened(flown) {
+  if (flown !== pane()) return;
+  load();
+}
+
+/** Shows the target's text; where it is just what is there, Ctrl+Z goes on working. */
+function load() {
+  const of = pane();
+  if (!of) return;
+  const wanted = drafts.get(of) ?? of.scene.text ?? "";
+  if (text.text !== wanted) text.open(wanted);
+  seed.value = String(of.scene.seed ?? 1);
+  showInputs();
+  check();
+  showHandles();
+}
+
+/** Corners can be dragged while the text is edited, and nobody steers. */
+function showHandles() {
+  handles.shown(!panel.hidden && app.mode === "watch" ? (pane() ?? null) : null);
+}
+
+function panesChanged() {
+  target = Math.min(target, Math.max(0, app.panes.length - 1));
+  which.hidden = app.panes.length < 2;
+  which.replaceChildren(...app.panes.map((_, i) => element("button", { type: "button", "aria-pressed": String(i === target), onclick: () => editPane(i) }, `Flight ${"AB"[i]}`)));
+}
+
+function showInputs() {
+  const flight = pane()?.flight;
+  const has = (flight?.inputs?.length ?? 0) > 0 || app.mode === "fly" || inputsOf(pane()).length > 0;
+  panel.querySelector(".edit-same").hidden = !has;
+}
+
+function inputsOf(of) {
+  try {
+    return of && !of.explores ? of.engine.do("inputs") : [];
+  } catch {
+    return [];
+  }
+}
+
+function typed() {
+  drafts.set(pane(), text.text);
+  clearTimeout(timer);
+  timer = setTimeout(check, CHECK_MS);
+  flyButton.classList.toggle("is-due", text.text !== pane()?.scene.text);
+}
+
+function moved() {
+  cards.show(keyAt(text.text, text.caret));
+}
+
+/** Asks the engine whether the text is right, and says what is not, at its line. True = it is. */
+function check() {
+  clearTimeout(timer);
+  const of = pane();
+  if (!of) return false;
+  flyButton.classList.toggle("is-due", text.text !== of.scene.text);
+  panel.querySelector(".edit-corners").hidden = !statements(text.text).some((one) => one.path === "map.corridor.centre_line_m");
+  handles.place();
+  if (text.text === "" && of.scene.recorded) {
+    return verdictIs("none", "This recording does not hold its scenario: there is no text to edit.");
+  }
+  if (text.text.length > MOST_LETTERS) return verdictIs("error", "This text is longer than any scenario: 4 million letters are read.");
+  try {
+    const ok = looked(of);
+    const notes = (ok.notes ?? []).join("; ");
+    lastError = null;
+    text.mark(null);
+    const crew = Number.isFinite(ok.crew) ? `${ok.crew} ${ok.mission === "exploration" ? "robots" : "UAVs"}, ` : "";
+    const due = text.text === of.scene.text ? "" : " Ctrl+Enter flies it.";
+    return verdictIs("ok", `Right: ${crew}${ok.duration_s} s.${notes && ` Note: ${notes}.`}${due}`) || true;
+  } catch (error) {
+    fail(error);
+    return false;
+  }
+}
+
+function fail(error) {
+  lastError = error;
+  text.mark(error.line ?? null);
+  const where = error.line ? `Line ${error.line}: ` : "";
+  const plain = String(error.message).replace(/^[^\s:]+:\d+: /, "");
+  verdictIs("error", `${where}${plain}${error.hint ? `\n${error.hint}` : ""}`);
+}
+
+function verdictIs(kind, words) {
+  verdict.className = `edit-verdict ${kind}`;
+  verdict.textContent = words;
+  return false;
+}
+
+/** What the engine makes of the text. In walls of a map file it is laid out in an engine beside, which flies nothing. */
+function looked(of) {
+  const walls = carried(of);
+  if (!walls.walls_csv) return of.engine.do("check", { text: text.text, label: labelOf(of) });
+  if (!beside) throw new Error("The engine for maps is still starting: type on.");
+  return beside.do("open", { flight: { ...walls, kind: "scenario", label: labelOf(of), text: text.text, seed: 1 } });
+}
+
+const labelOf = (of) => of.scene.label ?? `${of.scene.name}.toml`;
+
+/** What of a flight stays when its text changes: the walls of its map file. */
+function carried(of) {
+  const { walls_csv = null, map_offset_m = null } = wallsOf(of);
+  return { walls_csv, map_offset_m };
+}
+
+function wallsOf(of) {
+  if (of.flight.kind !== "recording") return of.flight;
+  if (!known.has(of)) known.set(of, of.engine.do("flight"));
+  return known.get(of);
+}
+
+/** Flies the text; where it is not right, what is flown goes on. */
+async function fly() {
+  const of = pane();
+  if (!of) return;
+  const number = Number(seed.value);
+  if (!Number.isSafeInteger(number) || number < 0) {
+    verdictIs("error", `The seed is a whole number from 0 to ${Number.MAX_SAFE_INTEGER}.`);
+    seed.focus();
+    return;
+  }
+  const flown = text.text;
+  const inputs = sameInputs.checked ? inputsOf(of) : [];
+  try {
+    const base = of.engine.do("flight");
+    await app.open({ ...base, ...carried(of), kind: "scenario", label: labelOf(of), text: flown, seed: number, inputs }, app.panes.indexOf(of));
+    drafts.delete(of);
+    app.play();
+  } catch (error) {
+    if (error.line === undefined) return app.fault(error);
+    fail(error);
+  }
+}

@@ -1,0 +1,205 @@
+// Why does it do what it does: the panel about the UAV that is selected, at the cursor. The sentences are the engine's.
+
+import { app } from "uchain/app.js";
+import { element, shown } from "uchain/hand/element.js";
+import { beamsDrawing } from "uchain/hand/why/beams.js";
+import { linksDrawing } from "uchain/hand/why/links.js";
+import { robotWhy } from "uchain/hand/why/robot.js";
+import { speedDrawing } from "uchain/hand/why/speed.js";
+import { linkColour, uavColour } from "uchain/draw/colours.js";
+
+/** Asked so often while it plays (ms): the engine may have to fly a stretch again for it. */
+const PAUSE_MS = 120;
+
+let panel;
+let body;
+let isDue = false;
+let askedAt_ms = 0;
+/** What is shown of each pane: `tick:uav`, so that nothing is asked twice. */
+let drawnOf = new WeakMap();
+
+export function start() {
+  panel = document.getElementById("why");
+  body = element("div", { className: "why-body" });
+  panel.append(element("div", { className: "why-who", role: "group", "aria-label": "Whose why" }), body);
+  app.on("selected", (uav) => {
+    drawnOf = new WeakMap();
+    if (uav !== null) document.getElementById("tab-why")?.click();
+    ask();
+  });
+  for (const name of ["cursor", "frame", "scene", "panes"]) app.on(name, ask);
+  app.on("scene", () => (drawnOf = new WeakMap()));
+  document.getElementById("tab-why")?.addEventListener("click", ask);
+  ask();
+}
+
+/** Asks the engine in the next animation frame. */
+function ask() {
+  if (isDue) return;
+  isDue = true;
+  requestAnimationFrame(look);
+}
+
+function look(now_ms) {
+  isDue = false;
+  if (panel.hidden || app.panes.length === 0) return;
+  if (app.playing && now_ms - askedAt_ms < PAUSE_MS) return ask();
+  askedAt_ms = now_ms;
+  who();
+  if (app.selected === null) {
+    const what = app.panes[0].scene.robot;
+    body.replaceChildren(element("p", { className: "quiet" }, `Click a ${what} on the map, or press its number: here it says why it does what it does.`));
+    return;
+  }
+  body.replaceChildren(...app.panes.map((pane, i) => aboutPane(pane, i)));
+}
+
+/** A button for each UAV, so that the map is not the only way. */
+function who() {
+  const row = panel.querySelector(".why-who");
+  const { crew, robot } = app.panes[0].scene;
+  const count = Math.min(crew, 100);
+  if (row.children.length !== count) {
+    row.replaceChildren(...Array.from({ length: count }, (_, uav) => {
+      const button = element("button", { type: "button", className: "chip", onclick: () => (app.selected = uav), "aria-label": `${robot} ${uav}` }, String(uav));
+      button.style.setProperty("--of-uav", uavColour(uav));
+      return button;
+    }));
+  }
+  [...row.children].forEach((button, uav) => button.setAttribute("aria-pressed", String(uav === app.selected)));
+}
+
+function aboutPane(pane, index) {
+  const key = `${app.cursor}:${app.selected}:${pane.tick < app.cursor}`;
+  const had = drawnOf.get(pane);
+  if (had?.key === key) return had.node;
+  const node = element("section", { className: "why-pane" });
+  if (app.panes.length > 1) node.append(element("h3", {}, `${"AB"[index]}: ${pane.scene.label ?? pane.scene.name}`));
+  let isWhole = true;
+  try {
+    isWhole = fill(node, pane);
+  } catch (error) {
+    node.append(element("p", { className: "quiet" }, error.words ?? error.message));
+  }
+  if (isWhole) {
+    drawnOf.set(pane, { key, node });
+    return node;
+  }
+  ask();
+  // Until the engine has flown up to here again, what was shown stays.
+  return had?.node ?? node;
+}
+
+/** True = all is there; false = to be asked again. */
+function fill(node, pane) {
+  const { scene, frame } = pane;
+  const uav = app.selected;
+  if (uav >= pane.crew) {
+    node.append(element("p", { className: "quiet" }, `There is no ${scene.robot} ${uav} in this flight.`));
+    return true;
+  }
+  if (scene.recorded && !scene.flies_again) {
+    node.append(element("p", { className: "quiet" }, "This recording cannot be flown again here, and only a flight that flies knows why: a recording holds what was seen, not what was thought."));
+    return true;
+  }
+  if (pane.explores) {
+    node.append(...robotWhy(frame?.robots?.[uav], uav, scene));
+    return true;
+  }
+  const why = pane.engine.do("why", { tick: Math.min(app.cursor, pane.tick), uav });
+  if (!why.reached) {
+    node.append(element("p", { className: "quiet" }, "Flying up to here again …"));
+    return false;
+  }
+  remember(pane, uav, why);
+  const [first, ...more] = why.words ?? [];
+  node.append(
+    element("p", { className: "why-role" }, `UAV ${uav}, ${[why.role, why.stage].filter(Boolean).join(", ")}${Number.isInteger(why.place) ? `, place ${why.place} of the chain` : ""}`),
+    element("p", { className: "why-first" }, first ?? ""),
+    more.length > 0 && element("ul", { className: "why-more" }, ...more.map((line) => element("li", {}, line))),
+    ...drawings(why, uav, pane),
+    tells(why),
+  );
+  return true;
+}
+
+/** Distances are measured every few ticks; in between, the walls that were steered by last are still steered by. */
+const wallsOf = new WeakMap();
+const WALLS_TICKS = 10;
+
+function remember(pane, uav, why) {
+  const all = wallsOf.get(pane) ?? new Map();
+  wallsOf.set(pane, all);
+  if (why.tof) all.set(uav, { tick: why.tick, walls: why.walls });
+  const last = all.get(uav);
+  why.walls_known = Boolean(last && Math.abs(why.tick - last.tick) <= WALLS_TICKS);
+  if (!why.tof && why.walls_known) why.walls = last.walls;
+}
+
+function drawings(why, uav, pane) {
+  const { scene, frame } = pane;
+  const chain = scene.chain;
+  const link = frame?.links?.find((link) => link.uav === uav);
+  const ahead = frame?.links?.find((link) => link.behind === uav);
+  const made = [];
+  if (why.front || why.back) {
+    made.push(
+      element("h4", {}, "Its links, as it believes them"),
+      linksDrawing(why, {
+        ahead: ahead ? `UAV ${ahead.uav}` : "nobody",
+        behind: link && link.behind !== null ? `UAV ${link.behind}` : "the base",
+        s_min_db: chain.s_min_db,
+        colour: (db) => linkColour(db, chain.s_min_db),
+      }),
+    );
+    if (typeof why.imbalance_db === "number") {
+      made.push(element("p", { className: "quiet" }, `Front minus back: ${shown(why.imbalance_db, 1, "dB", true)}; ${why.dead_band_db > 0 ? `within ${shown(why.dead_band_db, 1, "dB")} (shaded) it counts as level` : "nothing but 0 counts as level"}. ± is one standard deviation, the pale dot the last packet.`));
+    }
+  }
+  const head = frame && uav === frame.leader ? frame.head : null;
+  const marks = head
+    ? [
+        { name: "pilot asks", mps: head.pilot_mps, kind: "pilot" },
+        { name: "allowed", mps: head.allowed_mps, kind: "allowed" },
+      ]
+    : [
+        { name: "its law wishes", mps: why.wish_mps, kind: "pilot" },
+        { name: "allowed", mps: why.allowed_mps, kind: "allowed" },
+      ];
+  if (why.stage !== "flying") return made;
+  marks.push({ name: "flies", mps: frame?.uavs?.[uav]?.forward_mps, kind: "asked" });
+  made.push(element("h4", {}, "Forward speed"), speedDrawing(marks, chain.v_max_mps, "Forward speed"));
+  if (why.overridden) made.push(element("p", { className: "why-override" }, "Overridden: ", element("strong", {}, String(why.overridden).replaceAll("-", " "))));
+  made.push(
+    element("h4", {}, "Between the walls"),
+    element(
+      "div",
+      { className: "why-walls" },
+      beamsDrawing(frame?.uavs?.[uav]?.tof ?? null, { range_m: chain.tof_range_m, walls: why.walls ?? null, colour: uavColour(uav), number: uav }),
+      element("dl", {}, ...pairs([
+        ["at a branch", { centre: "straight on", left: "left", right: "right" }[why.follow] ?? why.follow],
+        ["steers by", why.walls_known ? ({ both: "both walls", left: "the left wall", right: "the right wall" }[why.walls] ?? "no wall") : null],
+        ["flies", why.backward ? "backward: its rear beams lead" : null],
+        ["walls leave it", Number.isFinite(why.speed_share) ? `${shown(100 * why.speed_share, 0)} % of its speed` : null],
+      ])),
+    ),
+  );
+  return made;
+}
+
+function tells(why) {
+  const said = why.tells;
+  if (!said) return null;
+  return element("details", { className: "why-tells", open: true }, element("summary", {}, "What it tells the others"), element("dl", {}, ...pairs([
+    ["its place", said.place],
+    ["ground speed", Number.isFinite(said.ground_speed_mps) ? shown(said.ground_speed_mps, 2, "m/s", true) : null],
+    ["in the air for", Number.isFinite(said.flown_s) ? shown(said.flown_s, 1, "s") : null],
+    ["wall choice", { centre: "straight on", left: "left", right: "right" }[said.follow] ?? said.follow],
+    ["imbalance", Number.isFinite(said.imbalance_db) ? shown(said.imbalance_db, 1, "dB", true) : null],
+    ["battery", Number.isFinite(said.battery) ? `${shown(100 * said.battery, 0)} %` : null],
+  ])));
+}
+
+function pairs(rows) {
+  return rows.filter(([, value]) => value !== null && value !== undefined && value !== "").flatMap(([word, value]) => [element("dt", {}, word), element("dd", {}, String(value))]);
+}

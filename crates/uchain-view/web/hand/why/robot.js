@@ -1,0 +1,23 @@
+// What is known of a robot of an exploration at the cursor: where it goes and what for.
+
+import { element, shown } from "uchain/hand/element.js";
+
+export function robotWhy(robot, number, scene) {
+  if (!robot) return [element("p", { className: "quiet" }, "Nothing is known of it at this instant.")];
+  const doing = robot.holds ? "holds" : robot.moves ? "moves" : "stays";
+  const purpose = robot.purpose ? `: ${String(robot.purpose).replaceAll("-", " ")}` : "";
+  const rows = [
+    ["at", `${shown(robot.x_m, 2)}, ${shown(robot.y_m, 2)} m`],
+    ["target", Array.isArray(robot.to_m) ? `${shown(robot.to_m[0], 2)}, ${shown(robot.to_m[1], 2)} m` : null],
+    ["height", Number.isFinite(robot.z_m) ? shown(robot.z_m, 2, "m") : null],
+    ["level", Number.isInteger(robot.level) && scene.exploration?.level_z_m?.length > 1 ? robot.level : null],
+    ["wall contacts", robot.wall_contacts],
+    ["contacts with robots", robot.robot_contacts],
+  ];
+  const known = rows.filter(([, value]) => value !== null && value !== undefined);
+  return [
+    element("p", { className: "why-role" }, `${scene.robot} ${number}`),
+    element("p", { className: "why-first" }, `It ${doing}${purpose}.`),
+    element("dl", {}, ...known.flatMap(([word, value]) => [element("dt", {}, word), element("dd", {}, String(value))])),
+  ];
+}
