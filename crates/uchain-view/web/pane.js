@@ -73,6 +73,7 @@ export class Pane {
   /** How often the engine has thinned its rows: then all are read again. */
   #generation = 0;
   #ms_per_tick = 0.05;
+  #verdict = /** @type {string|null} */ (null);
 
   /** @param {import("uchain/engine.js").Engine} engine @param {any} scene @param {any} flight */
   constructor(engine, scene, flight) {
@@ -98,6 +99,12 @@ export class Pane {
   /** The last tick it can have, as far as is known. */
   get end() {
     return this.stopped ? this.tick : this.scene.ticks;
+  }
+
+  /** What came of it, once it is over. */
+  get verdict() {
+    if (this.#verdict === null && this.stopped) this.#verdict = this.engine.do("summary").verdict ?? this.stopped.words;
+    return this.#verdict ?? "";
   }
 
   /**
@@ -131,6 +138,7 @@ export class Pane {
     this.engine.do("cut", { tick });
     this.tick = 0;
     this.stopped = null;
+    this.#verdict = null;
     this.broken = false;
     this.events = [];
     this.frame = null;

@@ -122,8 +122,6 @@ function places(context, view, pane) {
   const colours = palette();
   const { base_m, goal_m } = pane.scene.chain;
   context.font = "600 12px system-ui, sans-serif";
-  context.textAlign = "center";
-  context.textBaseline = "top";
   if (goal_m) {
     const [x, y] = [view.px(goal_m[0]), view.py(goal_m[1])];
     context.strokeStyle = colours.ink;
@@ -133,7 +131,7 @@ function places(context, view, pane) {
       context.arc(x, y, radius, 0, 7);
       context.stroke();
     }
-    label(context, "goal", x, y + 13);
+    label(context, "goal", x, y + 21, view);
   }
   const [x, y] = [view.px(base_m[0]), view.py(base_m[1])];
   context.fillStyle = colours.ink;
@@ -141,18 +139,22 @@ function places(context, view, pane) {
   context.fillStyle = colours.free;
   context.fillRect(x - 2.5, y - 2.5, 5, 5);
   const ground = pane.frame.uavs.filter((/** @type {any} */ uav) => !uav.airborne).length;
-  label(context, ground ? `base, ${ground} waiting` : "base", x, y + 11);
+  label(context, ground ? `base, ${ground} waiting` : "base", x, y + 20, view);
 }
 
-/** Words that are read on any ground. @param {CanvasRenderingContext2D} context @param {string} text @param {number} x @param {number} y @param {string} [ink] */
-export function label(context, text, x, y, ink) {
+/** Words on a plate of their own, within the map. @param {CanvasRenderingContext2D} context @param {string} text @param {number} x @param {number} y the middle @param {import("uchain/draw/view.js").View} view */
+export function label(context, text, x, y, view) {
   const colours = palette();
-  context.lineJoin = "round";
-  context.lineWidth = 3.5;
-  context.strokeStyle = colours.free;
-  context.strokeText(text, x, y);
-  context.fillStyle = ink ?? colours.ink;
-  context.fillText(text, x, y);
+  const half = context.measureText(text).width / 2 + 5;
+  const at = Math.max(half + 3, Math.min(view.width - half - 3, x));
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.fillStyle = colours.plate;
+  context.beginPath();
+  context.roundRect(at - half, y - 9, 2 * half, 17, 5);
+  context.fill();
+  context.fillStyle = colours.ink;
+  context.fillText(text, at, y);
 }
 
 function drawLink(context, view, frame, scene, link) {
@@ -178,11 +180,9 @@ function drawLink(context, view, frame, scene, link) {
   const [nx, ny] = [-(by - ay) / long_px, (bx - ax) / long_px];
   const side = ny > 0 || (ny === 0 && nx > 0) ? -1 : 1;
   context.font = "600 12px system-ui, sans-serif";
-  context.textAlign = "center";
-  context.textBaseline = "middle";
   const words = lost ? `${link.true_db.toFixed(0)} dB, lost` : `${link.true_db.toFixed(0)} dB`;
-  const off = 12 + Math.abs(nx) * 12;
-  label(context, words, mx + nx * side * off, my + ny * side * off);
+  const off = 15 + Math.abs(nx) * 16;
+  label(context, words, mx + nx * side * off, my + ny * side * off, view);
 }
 
 /** Whether the last packet from one of its ends did not come through. */

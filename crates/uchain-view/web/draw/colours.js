@@ -21,11 +21,11 @@ const SPAN_DB = 20;
 
 const LIGHT = {
   dark: false, page: "#ECEAE6", card: "#FAF9F7", line: "#D5D1CA", rock: "#D9D5CF", free: "#FFFFFF", wall: "#554D45", ink: "#222222", soft: "#66615A",
-  at_s_min: "#C9B400", error: "#B3261E", warning: "#9A6700",
+  plate: "#FFFFFFD8", at_s_min: "#C9B400", error: "#B3261E", warning: "#9A6700",
 };
 const DARK = {
   dark: true, page: "#0F0F0E", card: "#1B1A19", line: "#393733", rock: "#2B2A28", free: "#161616", wall: "#B8AFA4", ink: "#EEEEEE", soft: "#A8A29A",
-  at_s_min: "#F0E442", error: "#FF8A80", warning: "#E69F00",
+  plate: "#1B1A19D8", at_s_min: "#F0E442", error: "#FF8A80", warning: "#E69F00",
 };
 
 /** The colours of the theme that is on. */

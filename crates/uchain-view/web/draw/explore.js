@@ -1,10 +1,9 @@
 // @ts-check
-// An exploration on its map: stars as sectors, frontiers, the graph, targets, robots, and their heights from the side.
+// An exploration on its map: stars as sectors, frontiers, the graph, targets, robots.
 
 import { app } from "uchain/app.js";
 import { discPx, drawDisc, drawTrails, label, nearest } from "uchain/draw/chain.js";
 import { palette, uavColour } from "uchain/draw/colours.js";
-import { drawHeights } from "uchain/draw/heights.js";
 import { shown } from "uchain/panel/layers.js";
 
 /** Frontiers, as in the pictures of `uchain run`. */
@@ -41,8 +40,7 @@ export class Explored {
     if (shown.graph) context.drawImage(this.#edges, 0, 0, view.width, view.height);
     if (shown.frontiers) this.#drawFrontiers(context, view, pane, colours);
     if (shown.trails) drawTrails(context, view, pane);
-    this.#robots(context, view, pane, colours);
-    drawHeights(context, view, pane);
+    this.#robots(context, view, pane);
   }
 
   #begin(view, ratio) {
@@ -62,7 +60,10 @@ export class Explored {
     const done = this.#done;
     const star = this.#context(this.#stars, ratio);
     star.fillStyle = colours.dark ? "#56B4E9" : "#0072B2";
-    for (; done.nodes < nodes.length && nodes[done.nodes].tick <= tick; done.nodes += 1) fillStar(star, view, nodes[done.nodes], pane.scene.exploration);
+    for (; done.nodes < nodes.length && nodes[done.nodes].tick <= tick; done.nodes += 1) {
+      fillStar(star, view, nodes[done.nodes], pane.scene.exploration);
+      this.#open(nodes[done.nodes], done.nodes, pane.scene.exploration);
+    }
     const edge = this.#context(this.#edges, ratio);
     edge.strokeStyle = edge.fillStyle = colours.soft;
     edge.lineWidth = 1.2;
@@ -79,6 +80,13 @@ export class Explored {
       const which = node * pane.scene.exploration.sectors + sector;
       if (label === "frontier") this.#frontiers.add(which);
       else this.#frontiers.delete(which);
+    }
+  }
+
+  /** A new star's sectors without a return are frontiers, until a label says otherwise. */
+  #open(node, number, { sectors, range_m }) {
+    for (let sector = 0; sector < sectors; sector += 1) {
+      if (node.r_m[sector] >= range_m - 1e-4) this.#frontiers.add(number * sectors + sector);
     }
   }
 
@@ -106,7 +114,7 @@ export class Explored {
     context.stroke();
   }
 
-  #robots(context, view, pane, colours) {
+  #robots(context, view, pane) {
     const size = discPx(pane, view);
     if (shown.targets) {
       context.lineWidth = 1.6;
@@ -131,7 +139,7 @@ export class Explored {
       drawDisc(context, x, y, robot.heading_rad, id, size);
       if (robot.holds) {
         context.font = "600 11px system-ui, sans-serif";
-        label(context, "holds", x, y + size + 12, colours.ink);
+        label(context, "holds", x, y + size + 13, view);
       }
     }
   }

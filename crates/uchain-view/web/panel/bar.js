@@ -7,6 +7,12 @@ import { key } from "uchain/panel/keys.js";
 /** The scenarios that come along: `{name, description, mission, flies}`. @type {any[]} */
 export let scenarios = [];
 
+/** What a scenario is about, for the line above its map. @param {import("uchain/pane.js").Pane} pane */
+export function about(pane) {
+  const words = pane.scene.description ?? scenarios.find((one) => `${one.name}.toml` === pane.scene.label)?.description;
+  return words ? `${words}; ` : "";
+}
+
 const menu = () => /** @type {HTMLSelectElement} */ (document.getElementById("scenario"));
 
 /** An engine that is only asked for the texts of scenarios. @type {import("uchain/engine.js").Engine} */

@@ -22,7 +22,7 @@ export class Box {
    * @param {import("uchain/draw/plot/spec.js").Spec} spec
    * @param {{left: number, top: number, width: number, height: number}} area where lines are
    * @param {{left: number, top: number, width: number, height: number}} all with what is around it
-   * @param {{ticksY: boolean, ticksX: boolean}} axes
+   * @param {{ticksY: boolean, ticksX: boolean, last: boolean}} axes
    */
   constructor(spec, area, all, axes) {
     this.spec = spec;
@@ -59,11 +59,11 @@ export class Box {
     context.font = "11px system-ui, sans-serif";
     context.textAlign = "right";
     context.textBaseline = "middle";
-    const stepY = Math.max(spec.whole ? 1 : 0, niceStep(range.high - range.low, area.height / 34));
+    const stepY = Math.max(spec.whole ? 1 : 0, niceStep(range.high - range.low, Math.max(2, area.height / 44)));
     for (let value = Math.ceil(range.low / stepY) * stepY; value <= range.high + 1e-6; value += stepY) {
       const y = Math.round(this.py(value, range)) + 0.5;
       line(context, area.left, y, area.left + area.width, y);
-      if (this.axes.ticksY) context.fillText(String(Math.round(value * 10) / 10), area.left - 6, y);
+      if (this.axes.ticksY) context.fillText(String(Math.round(value * 10) / 10), area.left - 6, Math.max(y, all.top + 6));
     }
     context.textAlign = "center";
     context.textBaseline = "top";
@@ -71,8 +71,11 @@ export class Box {
     for (let time_s = 0; time_s <= scale.span_s + 1e-6; time_s += stepX) {
       const x = Math.round(this.px(time_s, scale)) + 0.5;
       line(context, x, area.top, x, area.top + area.height);
-      if (this.axes.ticksX) context.fillText(String(Math.round(time_s * 10) / 10), x, area.top + area.height + 4);
+      const room = time_s === 0 || this.axes.last || x < area.left + area.width - 12;
+      if (this.axes.ticksX && room) context.fillText(String(Math.round(time_s * 10) / 10), Math.min(x, all.left + all.width - 11), area.top + area.height + 4);
     }
+    context.textAlign = "right";
+    if (this.axes.ticksX && this.axes.ticksY) context.fillText("time (s)", area.left - 8, area.top + area.height + 4);
     if (spec.scale === "loss") {
       context.strokeStyle = colours.soft;
       context.setLineDash([1.5, 3]);

@@ -12,9 +12,9 @@ export function layOut(specs, width, height) {
   const columns = single ? 1 : specs.length === 2 ? (width > 620 ? 2 : 1) : gridColumns(specs.length, width, height);
   const rows = Math.ceil(specs.length / columns);
   const few = specs.length <= 2;
-  const left = few ? AROUND.left : 40;
+  const left = few ? AROUND.left : 58;
   const top = few ? 4 : 20;
-  const bottom = 20;
+  const bottom = 22;
   const cellWidth = (width - (few ? 0 : left + 6)) / columns;
   const cellHeight = (height - (few ? 0 : top + bottom)) / rows;
   return specs.map((spec, i) => {
@@ -22,13 +22,13 @@ export function layOut(specs, width, height) {
     if (few) {
       const all = { left: column * cellWidth, top: row * cellHeight, width: cellWidth, height: cellHeight };
       const area = { left: all.left + AROUND.left, top: all.top + AROUND.top, width: cellWidth - AROUND.left - AROUND.right, height: cellHeight - AROUND.top - AROUND.bottom };
-      return new Box(spec, area, all, { ticksX: true, ticksY: true });
+      return new Box(spec, area, all, { ticksX: true, ticksY: true, last: true });
     }
     const last = i + columns >= specs.length;
     const all = { left: column === 0 ? 0 : left + column * cellWidth, top: top + row * cellHeight, width: cellWidth + (column === 0 ? left : 0), height: cellHeight + (last ? bottom : 0) };
     const gap = spec.lines.length > 1 ? 22 : 6;
     const area = { left: left + column * cellWidth, top: all.top + 2, width: cellWidth - gap, height: cellHeight - 6 };
-    return new Box(spec, area, all, { ticksX: last, ticksY: column === 0 });
+    return new Box(spec, area, all, { ticksX: last, ticksY: column === 0, last: column === columns - 1 });
   });
 }
 

@@ -3,6 +3,7 @@
 
 import { app } from "uchain/app.js";
 import { palette } from "uchain/draw/colours.js";
+import { drawHeights, STRIP_PX } from "uchain/draw/heights.js";
 import { niceStep } from "uchain/draw/plot/box.js";
 import { layOut } from "uchain/draw/plot/layout.js";
 import { Readout } from "uchain/draw/plot/readout.js";
@@ -31,6 +32,8 @@ export class PlotView {
   #looked = 0;
   #version = -1;
   #next = 0;
+  /** How many UAVs have flown so far: the others have no line. */
+  #flown = 1;
 
   /** @param {HTMLElement} box @param {number} index */
   constructor(box, index) {
@@ -55,10 +58,11 @@ export class PlotView {
   /** @param {import("uchain/pane.js").Pane} pane */
   open(pane) {
     this.pane = pane;
-    this.#specs = specOf(pane);
+    this.#flown = 1;
+    this.#specs = specOf(pane, 1);
     this.#laid = "";
     this.#forget();
-    const what = pane.explores ? "What the robots have seen, and how many groups hear each other, over time" : "Loss of each link toward the base over time: true, filtered and raw";
+    const what = pane.explores ? "What the robots have seen, and how many nodes have a frontier left, over time" : "Loss of each link toward the base over time: true, filtered and raw";
     this.canvas.setAttribute("aria-label", what);
   }
 
@@ -66,14 +70,15 @@ export class PlotView {
     const pane = this.pane;
     if (!pane || this.width < 40) return;
     if (pane.version !== this.#version) this.#forget();
-    this.#look(pane);
     this.#lay(pane);
+    this.#look(pane);
     this.#paint(pane);
     const context = this.context;
     context.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
     context.clearRect(0, 0, this.width, this.height);
     context.drawImage(this.#kept, 0, 0, this.width, this.height);
     this.readout.draw(context, pane);
+    if (pane.explores && pane.frame) drawHeights(context, pane, { left: 0, top: this.height - STRIP_PX, width: this.width });
   }
 
   #forget() {
@@ -117,10 +122,13 @@ export class PlotView {
   }
 
   #lay(pane) {
-    const state = `${this.width} ${this.height} ${this.#specs.length} ${pane.crew}`;
+    const flying = pane.explores ? pane.crew : flown(pane.series, pane.crew, this.#flown);
+    const state = `${this.width} ${this.height} ${flying}`;
     if (state === this.#laid) return;
     this.#laid = state;
-    this.boxes = layOut(this.#specs, this.width, this.height);
+    this.#flown = flying;
+    this.#specs = specOf(pane, flying);
+    this.boxes = layOut(this.#specs, this.width, this.height - (pane.explores ? STRIP_PX : 0));
     this.#painted = "";
   }
 
@@ -148,6 +156,17 @@ export class PlotView {
       }
     }
   }
+}
+
+/** How many of a crew have a link in the newest row, and never less than `least`. @param {any} series @param {number} crew @param {number} least */
+function flown(series, crew, least) {
+  let count = Math.min(least, crew);
+  const last = series.rows - 1;
+  for (let id = count; last >= 0 && id < crew; id += 1) {
+    const value = series.at(last, series.column(`true_db.${id}`));
+    if (value === value) count = id + 1;
+  }
+  return count;
 }
 
 /** A time axis that has room for a flight of unknown length. @param {number} flown_s */

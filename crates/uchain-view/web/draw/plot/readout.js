@@ -102,7 +102,7 @@ export class Readout {
   }
 
   #titles(context, colours) {
-    const { boxes, width, height, pane } = this.plot;
+    const { boxes, width, pane } = this.plot;
     context.textAlign = "left";
     context.textBaseline = "top";
     context.fillStyle = colours.ink;
@@ -113,11 +113,6 @@ export class Readout {
     } else {
       for (const box of boxes) context.fillText(box.spec.title, box.all.left + 8, box.all.top + 5);
     }
-    context.fillStyle = colours.soft;
-    context.textAlign = "right";
-    context.textBaseline = "bottom";
-    context.font = "11px system-ui, sans-serif";
-    context.fillText("time (s)", width - 8, height - 3);
   }
 
   /** Names at the right ends of the lines, and of s_min. */

@@ -13,21 +13,24 @@ const OWN_BOX = 30;
  * @typedef {{title: string, unit: string, lines: Line[], scale: string, least: [number, number]|null, whole: boolean, times: number}} Spec
  */
 
-/** The boxes for a pane. `scale`: boxes of one scale share their axis; `times`: from the engine's number to the axis. @param {any} pane @returns {Spec[]} */
-export function specOf(pane) {
-  return pane.explores ? exploration(pane) : chain(pane);
+/**
+ * The boxes for a pane. `scale`: boxes of one scale share their axis; `times`: from the engine's number to the axis.
+ * @param {any} pane @param {number} flown so many UAVs have flown @returns {Spec[]}
+ */
+export function specOf(pane, flown) {
+  return pane.explores ? exploration(pane) : chain(pane, flown);
 }
 
-function chain(pane) {
+function chain(pane, flown) {
   const lines = [];
-  for (let id = 0; id < pane.crew; id += 1) {
+  for (let id = 0; id < flown; id += 1) {
     lines.push({ id, label: pane.nameOf(id), colour: uavColour(id), solid: `filtered_db.${id}`, dashed: `true_db.${id}`, dots: `raw_db.${id}` });
   }
-  const each = pane.crew <= LINES ? LINES : pane.crew <= OWN_BOX ? 1 : LINES;
+  const each = flown <= LINES ? LINES : flown <= OWN_BOX ? 1 : LINES;
   const boxes = [];
   for (let i = 0; i < lines.length; i += each) {
     const some = lines.slice(i, i + each);
-    const title = pane.crew <= LINES ? "" : some.length > 1 ? `${some[0].label} to ${some[some.length - 1].id}` : some[0].label;
+    const title = flown <= LINES ? "" : some.length > 1 ? `${some[0].label} to ${some[some.length - 1].id}` : some[0].label;
     boxes.push({ title, unit: "dB", lines: some, scale: "loss", least: null, whole: false, times: 1 });
   }
   return boxes;
@@ -36,7 +39,7 @@ function chain(pane) {
 function exploration(pane) {
   const line = (/** @type {string} */ column, /** @type {string} */ label, /** @type {string} */ colour) => ({ id: -1, label, colour, solid: column, dashed: null, dots: null });
   return [
-    { title: "seen of what can be reached (%)", unit: "%", lines: [line("coverage", "", uavColour(1))], scale: "coverage", least: /** @type {[number, number]} */ ([0, 100]), whole: false, times: 100 },
-    { title: "groups that hear each other (hubs), robots that move", unit: "", lines: [line("hubs", "hubs", uavColour(0)), line("moving", "moving", uavColour(2))], scale: "count", least: /** @type {[number, number]} */ ([0, pane.crew]), whole: true, times: 1 },
+    { title: "seen, of what can be reached (%)", unit: "%", lines: [line("coverage", "", uavColour(1))], scale: "coverage", least: /** @type {[number, number]} */ ([0, 100]), whole: false, times: 100 },
+    { title: "hubs: nodes with a frontier left; robots that move", unit: "", lines: [line("hubs", "hubs", uavColour(0)), line("moving", "moving", uavColour(2))], scale: "count", least: /** @type {[number, number]} */ ([0, pane.crew]), whole: true, times: 1 },
   ];
 }
