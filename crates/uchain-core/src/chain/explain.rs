@@ -14,6 +14,10 @@ pub struct Explanation {
     pub stage: Stage,
     /// What it makes of its two links, and what came of its wish.
     pub estimates: Estimates,
+    /// Variance of the filtered loss of its back link (dB²); `None` before the first packet.
+    pub back_variance_db2: Option<f32>,
+    /// Variance of the filtered loss of its front link (dB²); `None` before the first packet.
+    pub front_variance_db2: Option<f32>,
     /// Loss of the front link minus that of the back link, by the signal it decides on (dB): what it levels. `None` until
     /// both were heard.
     pub imbalance_db: Option<f32>,

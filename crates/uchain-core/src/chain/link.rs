@@ -142,6 +142,11 @@ impl LinkEnd {
         }
     }
 
+    /// Variance of the filtered loss (dB²); `None` before the first packet.
+    pub fn variance_db2(&self) -> Option<f32> {
+        self.filter.map(|filter| filter.variance_db2())
+    }
+
     /// Filtered loss (dB); `None` before the first packet.
     pub fn loss_db(&self) -> Option<f32> {
         self.filter.map(|f| f.loss_db())

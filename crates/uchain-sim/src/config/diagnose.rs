@@ -202,6 +202,39 @@ impl ConfigError {
         self
     }
 
+    /// The line of the scenario's text that is wrong, counted from 1; `None` if it is no single line of it.
+    pub fn line(&self) -> Option<usize> {
+        match self.place()? {
+            Origin::Line { line, .. } => Some(*line),
+            _ => None,
+        }
+    }
+
+    /// The key that is wrong, with its tables; `None` if it is none.
+    pub fn key(&self) -> Option<&str> {
+        match self {
+            Self::UnknownKey { key, .. }
+            | Self::UnknownChoice { key, .. }
+            | Self::Missing { key, .. }
+            | Self::Invalid { key, .. }
+            | Self::Map { key, .. } => Some(key),
+            _ => None,
+        }
+    }
+
+    fn place(&self) -> Option<&Origin> {
+        match self {
+            Self::Syntax { at, .. }
+            | Self::Set { at, .. }
+            | Self::UnknownKey { at, .. }
+            | Self::UnknownChoice { at, .. }
+            | Self::Missing { at, .. }
+            | Self::Invalid { at, .. }
+            | Self::Map { at, .. } => Some(at),
+            _ => None,
+        }
+    }
+
     fn place_mut(&mut self) -> Option<&mut Origin> {
         match self {
             Self::Syntax { at, .. }

@@ -38,6 +38,8 @@ pub use formats::{
     corridor, drawn, kind_of_map, read_moving_ai, read_ros,
 };
 pub(crate) use formats::{FRAME_MAX_M, Fault, tables};
+#[cfg(feature = "maps")]
+pub use formats::{ros_in_memory, ros_picture};
 pub use geodesic::{Geodesic, MOST_CORNERS, Trail};
 pub use geometry::Segment;
 pub use tunnel::{CentreLine, Tunnel};

@@ -34,6 +34,9 @@ impl Log {
 
 /// Keeps a run's numbers over time, and what happens in it.
 pub trait Logbook<M: Mission>: Recorder<M::Frame> + Send {
+    /// What has been kept so far, the tables aside.
+    fn log(&self) -> &Log;
+
     /// All that was kept. What summed the run up may know more.
     fn close(self: Box<Self>, metrics: &M::Metrics) -> Log;
 }

@@ -22,6 +22,7 @@ use std::sync::{Arc, LazyLock};
 use crate::config::help;
 use crate::{
     config::{ConfigError, Document, Keys, KnownKeys, Source},
+    map::Map,
     mission::{Scene, chain::Course, explore::Site},
 };
 
@@ -110,6 +111,21 @@ impl Registry {
         let known = self.known();
         let document = Document::parse(source, sets, &known)?;
         self.mission_of(&document).lay(&document, None, None)
+    }
+
+    /// Like [`Registry::read`], in a map that was built before: it stands where the scenario names a file, which is not read.
+    ///
+    /// # Errors
+    /// Those of [`Registry::read`].
+    pub fn read_in(
+        self,
+        source: &Source,
+        sets: &[String],
+        map: Map,
+    ) -> Result<Arc<dyn AnyScene>, ConfigError> {
+        let known = self.known();
+        let document = Document::parse(source, sets, &known)?;
+        self.mission_of(&document).lay(&document, Some(map), None)
     }
 
     /// Like [`Registry::read`], sharing what is worth it with other scenes; `shared` is what

@@ -53,6 +53,8 @@ impl Brain for Node {
                 (true, true) => Stage::Flying,
             },
             estimates: self.estimates(),
+            back_variance_db2: self.back.variance_db2(),
+            front_variance_db2: self.front.variance_db2(),
             imbalance_db: self.imbalance_db(),
             wish_mps,
             // A head whose pilot asks for no more than it is allowed is overridden by nothing.

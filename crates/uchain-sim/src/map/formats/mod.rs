@@ -22,6 +22,8 @@ pub use corridor::{CorridorConfig, Vertex, corridor};
 pub use csv::CsvConfig;
 pub use moving_ai::{MovingAiConfig, read_moving_ai};
 pub use ros::{RosConfig, read_ros};
+#[cfg(feature = "maps")]
+pub use ros::{ros_in_memory, ros_picture};
 pub use walls::{WallsConfig, drawn};
 
 /// Farthest place in a map's own frame (m): a surveyor's coordinates; `f64` keeps a millimetre there with ease.

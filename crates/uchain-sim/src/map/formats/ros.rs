@@ -11,7 +11,7 @@ use super::{Fault, Format, MapFormat};
 use crate::map::{CentreLine, Map, MapError, Unknown};
 
 #[cfg(feature = "maps")]
-pub use read::read_ros;
+pub use read::{read_ros, ros_in_memory, ros_picture};
 
 pub(super) const FORMAT: Format =
     Format { table: "map.ros", keys: RosConfig::KEYS, ends: &["yaml", "yml", "pgm", "png"] };

@@ -282,6 +282,11 @@ impl<B: Law> Brains<B> {
         self.members.leader().and_then(|head| self.nodes[head].estimates().allowed_mps)
     }
 
+    /// What a UAV tells whoever hears it; `None` if there is none of this id.
+    pub(super) fn says(&self, uav: usize, seen: &[Observation]) -> Option<Packet> {
+        Some(self.nodes.get(uav)?.say(seen.get(uav)?))
+    }
+
     /// What a UAV believes and why it asks for what it asks; `None` if there is none of this id, or its law does not say.
     pub(super) fn explain(&self, uav: usize, seen: &[Observation]) -> Option<Explanation> {
         self.nodes.get(uav)?.explain(seen.get(uav)?)

@@ -117,6 +117,10 @@ impl Recorder<Frame> for ChainLog {
 }
 
 impl Logbook<Chain> for ChainLog {
+    fn log(&self) -> &Log {
+        &self.log
+    }
+
     fn close(self: Box<Self>, _: &Metrics) -> Log {
         let tables = self.frames.into_iter().chain(self.links).map(Rows::table).collect();
         Log { tables, ..self.log }

@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 use glam::Vec2;
 use uchain_core::{
-    chain::{Command, Explanation, Observation, PilotInput},
+    chain::{Command, Explanation, Observation, Packet, PilotInput},
     params::OutOfRange,
 };
 
@@ -301,6 +301,11 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
     /// `None` if there is none of this id, or its law does not explain itself.
     pub fn explain(&self, uav: usize) -> Option<Explanation> {
         self.brains.explain(uav, &self.seen)
+    }
+
+    /// What a UAV tells whoever hears it, given what it sees at this instant; `None` if there is none of this id.
+    pub fn says(&self, uav: usize) -> Option<Packet> {
+        self.brains.says(uav, &self.seen)
     }
 
     /// Tells a UAV how much of its battery's charge is left (0 to 1), which it senses from the next tick on.

@@ -111,6 +111,10 @@ impl Recorder<ExploreFrame> for ExploreLog {
 }
 
 impl Logbook<Exploration> for ExploreLog {
+    fn log(&self) -> &Log {
+        &self.log
+    }
+
     fn close(self: Box<Self>, metrics: &ExploreMetrics) -> Log {
         let mut rounds = self.rounds.map(Rows::table);
         if let Some(rounds) = &mut rounds {

@@ -142,7 +142,7 @@ fn checksum(entries: &BTreeMap<String, String>) -> String {
 
 /// The walls as a table: a row per corner, loop by loop; the last corner of a loop joins its first. Coordinates
 /// are those of the frame `map` (m), with as many digits as it takes to read the same `f32` again.
-pub(crate) fn walls_to_csv(map: &Map) -> String {
+pub fn walls_to_csv(map: &Map) -> String {
     let mut text = "loop,x_m,y_m\n".to_owned();
     for (index, walls) in map.loops().enumerate() {
         for wall in walls {
@@ -153,8 +153,11 @@ pub(crate) fn walls_to_csv(map: &Map) -> String {
     text
 }
 
-/// The map that [`walls_to_csv`] wrote.
-pub(crate) fn walls_from_csv(bytes: &[u8]) -> Result<Map, String> {
+/// The map that [`walls_to_csv`] wrote; its origin stands at that of its frame.
+///
+/// # Errors
+/// In words: the line that is no corner, or why these are no walls.
+pub fn walls_from_csv(bytes: &[u8]) -> Result<Map, String> {
     let text = std::str::from_utf8(bytes).map_err(|error| error.to_string())?;
     let mut lines = text.lines().enumerate();
     if lines.next().is_none_or(|(_, line)| line != "loop,x_m,y_m") {

@@ -42,7 +42,7 @@ pub mod scene;
 mod schema;
 mod writer;
 
-pub use about::About;
+pub use about::{About, walls_from_csv, walls_to_csv};
 pub use message::{Described, Recordable, alike, bounded, few, number, set, small, word};
 pub use out::Out;
 pub use read::{End, Frames, Opened, PlayError, ReadError};

@@ -62,10 +62,31 @@ pub fn read_ros(
     };
     meta.resolution_m = cell_m.unwrap_or(meta.resolution_m);
     let image = yaml.parent().unwrap_or(Path::new("")).join(&meta.image);
-    let wrong = |why: String| MapError::Image { file: yaml.to_owned(), image: image.clone(), why };
-    let picture = read(&image, MOST_PICTURE_BYTES).map_err(wrong)?;
-    let cells = Cells::decode(&picture, meta.levels, unknown).map_err(|error| wrong(error.to_string()))?;
-    to_map(&cells, meta.resolution_m, simplify_m, |corner| meta.place(corner), wrong)
+    let picture = read(&image, MOST_PICTURE_BYTES).map_err(|why| MapError::Image {
+        file: yaml.to_owned(),
+        image: image.clone(),
+        why,
+    })?;
+    meta.build(yaml, &image, &picture, unknown, simplify_m)
+}
+
+/// The name of the picture that a `map_server` yaml file names; `file` is what messages call the yaml.
+///
+/// # Errors
+/// Those of [`read_ros`] about the yaml file.
+pub fn ros_picture(file: &Path, yaml: &[u8]) -> Result<PathBuf, MapError> {
+    Meta::parse(file, yaml).map(|meta| meta.image)
+}
+
+/// Like [`read_ros`], of files in memory: a yaml file, and the bytes of the picture that it names. Unknown cells are rock.
+/// `file` is what messages call the yaml.
+///
+/// # Errors
+/// Those of [`read_ros`].
+pub fn ros_in_memory(file: &Path, yaml: &[u8], picture: &[u8], simplify_m: f64) -> Result<Map, MapError> {
+    let meta = Meta::parse(file, yaml)?;
+    let image = meta.image.clone();
+    meta.build(file, &image, picture, Unknown::Rock, simplify_m)
 }
 
 /// What the yaml file says, checked.
@@ -127,6 +148,20 @@ impl Meta {
         let image = PathBuf::from(picture.file_name().unwrap_or_default());
         let levels = Levels { negate: false, occupied: 0.65, free: 0.196, by_opacity: false };
         Self { image, resolution_m: 0.05, corner: DVec2::ZERO, turn: DVec2::X, levels }
+    }
+
+    /// The walls in the bytes of its picture; messages call the files by their names.
+    fn build(
+        &self,
+        file: &Path,
+        image: &Path,
+        picture: &[u8],
+        unknown: Unknown,
+        simplify_m: f64,
+    ) -> Result<Map, MapError> {
+        let wrong = |why: String| MapError::Image { file: file.to_owned(), image: image.to_owned(), why };
+        let cells = Cells::decode(picture, self.levels, unknown).map_err(|error| wrong(error.to_string()))?;
+        to_map(&cells, self.resolution_m, simplify_m, |corner| self.place(corner), wrong)
     }
 
     /// A place in cells from the picture's lower-left corner, in the file's own frame (m).

@@ -81,6 +81,11 @@ impl ExploreMetrics {
         }
     }
 
+    /// Share of the reachable ground that has been seen so far (1).
+    pub fn coverage(&self) -> f64 {
+        self.coverage.share(self.site.ground())
+    }
+
     /// What was seen so far.
     pub fn survey(&self) -> Survey {
         Survey { curve: self.curve.clone(), coverage: self.coverage.clone() }
