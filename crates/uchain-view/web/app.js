@@ -261,7 +261,8 @@ class App {
   }
 
   #advance(target) {
-    this.#go(Math.floor(Math.min(target, this.edge)), Math.min(target, this.edge));
+    // Part of a tick is kept: a frame at a low rate is shorter than a tick, and would never come to the next one.
+    this.#go(Math.floor(Math.min(target, this.edge)), Math.min(target, this.edge + 0.999));
     if (this.edge >= this.end && this.cursor >= this.end) this.pause();
   }
 

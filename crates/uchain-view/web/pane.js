@@ -114,7 +114,8 @@ export class Pane {
   advance(to, until_ms) {
     let grown = false;
     let now = performance.now();
-    while (!this.stopped && !this.broken && this.tick < to && now + this.#ms_per_tick < until_ms) {
+    // One call whatever it takes: where a tick once took longer than a frame may, nothing would ever fly again.
+    while (!this.stopped && !this.broken && this.tick < to && (!grown || now + this.#ms_per_tick < until_ms)) {
       const fits = Math.floor(Math.min(CALL_MS, until_ms - now) / this.#ms_per_tick);
       const before = this.tick;
       const answer = this.engine.do("advance", { ticks: Math.max(1, Math.min(to - this.tick, fits, 20_000)) });

@@ -8,7 +8,7 @@ const SLICE_MS = 8;
 
 /** What a file of this flight is called, without its ending: circuit-s1. */
 export function stem(pane) {
-  const name = String(pane.scene.label ?? pane.scene.name ?? "flight").split(/[\\/]/).at(-1).replace(/(\.uchain)?\.(toml|mcap|json|yaml|map|csv)$/i, "");
+  const name = String(pane.scene.label ?? pane.scene.name ?? "flight").split(/[\\/]/).at(-1).replace(/, scenario$/, "").replace(/(\.uchain)?\.(toml|mcap|json|yaml|map|csv)$/i, "");
   const plain = name.replace(/[^\p{L}\p{N}._-]+/gu, "-").replace(/^[-.]+|-+$/g, "").slice(0, 80) || "flight";
   const seed = pane.scene.seed ?? "";
   const ending = `-s${seed}`;
