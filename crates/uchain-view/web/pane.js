@@ -4,31 +4,37 @@
 /** Longest that one call of the engine should take (ms), so that a frame can end in time. */
 const CALL_MS = 3;
 
+/** Rows in a piece of memory: growing never copies what is there. */
+const PIECE_ROWS = 512;
+
 /** Numbers over time as they come from the engine, row by row. */
 class Series {
   columns = /** @type {string[]} */ ([]);
   rows = 0;
-  data = new Float32Array(0);
+  #width = 1;
+  /** @type {Float32Array[]} */
+  #pieces = [];
   #index = new Map();
 
   /** @param {string[]} columns */
   name(columns) {
     if (columns.length === this.columns.length) return;
     this.columns = columns;
+    this.#width = columns.length;
     this.#index = new Map(columns.map((name, i) => [name, i]));
   }
 
   /** @param {Float32Array} more */
   append(more) {
-    const width = this.columns.length;
-    const used = this.rows * width;
-    if (used + more.length > this.data.length) {
-      const roomier = new Float32Array(Math.max(2 * this.data.length, used + more.length, 4096));
-      roomier.set(this.data.subarray(0, used));
-      this.data = roomier;
+    const width = this.#width;
+    for (let from = 0; from + width <= more.length; ) {
+      const at = this.rows % PIECE_ROWS;
+      if (at === 0) this.#pieces.push(new Float32Array(PIECE_ROWS * width));
+      const fit = Math.min(PIECE_ROWS - at, Math.floor((more.length - from) / width));
+      this.#pieces[this.#pieces.length - 1].set(more.subarray(from, from + fit * width), at * width);
+      this.rows += fit;
+      from += fit * width;
     }
-    this.data.set(more, used);
-    this.rows += Math.floor(more.length / width);
   }
 
   /** Where a column is in a row; -1 = there is none. @param {string} name */
@@ -38,7 +44,7 @@ class Series {
 
   /** @param {number} row @param {number} column */
   at(row, column) {
-    return this.data[row * this.columns.length + column];
+    return this.#pieces[Math.floor(row / PIECE_ROWS)][(row % PIECE_ROWS) * this.#width + column];
   }
 
   /** The last row whose time is not after `time_s`; -1 = none. @param {number} time_s */

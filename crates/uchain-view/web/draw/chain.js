@@ -62,7 +62,6 @@ export function drawTrails(context, view, pane) {
   const every = Math.max(1, 2 ** Math.ceil(Math.log2((last * all.length) / TRAIL_PIECES)));
   context.lineWidth = 1.6;
   context.globalAlpha = 0.5;
-  const width = series.columns.length;
   all.forEach((/** @type {any} */ one, /** @type {number} */ id) => {
     const column = series.column(`x_m.${id}`);
     if (column < 0) return;
@@ -70,12 +69,12 @@ export function drawTrails(context, view, pane) {
     context.beginPath();
     let begun = false;
     for (let row = 0; row <= last; row += every) {
-      const x_m = series.data[row * width + column];
+      const x_m = series.at(row, column);
       if (!(x_m === x_m)) {
         begun = false;
         continue;
       }
-      const [x, y] = [view.px(x_m), view.py(series.data[row * width + column + 1])];
+      const [x, y] = [view.px(x_m), view.py(series.at(row, column + 1))];
       if (begun) context.lineTo(x, y);
       else context.moveTo(x, y);
       begun = true;

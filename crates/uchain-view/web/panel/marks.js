@@ -31,6 +31,7 @@ export function lookOf(event) {
 
 export class Marks {
   #made = "";
+  #width = 0;
   #made_ms = 0;
 
   /** @param {HTMLElement} track @param {HTMLElement} tip */
@@ -43,6 +44,8 @@ export class Marks {
     this.box.setAttribute("role", "toolbar");
     this.box.setAttribute("aria-label", "What happened; arrows go from mark to mark");
     track.append(this.names, this.box);
+    // Asked for once: to ask in every frame makes the browser lay out the page in every frame.
+    new ResizeObserver(([entry]) => (this.#width = Math.round(entry.contentRect.width))).observe(this.box);
     this.box.addEventListener("keydown", (event) => this.#walk(event));
     this.box.addEventListener("focusin", (event) => this.#tell(event.target));
     this.box.addEventListener("focusout", () => (tip.hidden = true));
@@ -53,7 +56,7 @@ export class Marks {
   /** Makes the marks, if something has changed and it is time for it. */
   show() {
     const pane = app.panes[0];
-    const width = this.box.clientWidth;
+    const width = this.#width;
     if (!pane || width < 20) return;
     const state = `${pane.version} ${pane.events.length} ${width} ${app.end} ${pane.scene.label} ${pane.events.at(-1)?.text}`;
     const now = performance.now();

@@ -85,15 +85,16 @@ export class Box {
     }
   }
 
-  /** Paints the rows that have come since. @param {CanvasRenderingContext2D} context @param {any} scale @param {any} series @param {{true: boolean, raw: boolean}} shown */
-  grow(context, scale, series, shown) {
-    const every = scale.every;
-    const to = series.rows - (series.rows % every);
-    if (to <= this.done) {
-      this.done = Math.max(this.done, to);
-      return;
-    }
+  /**
+   * Paints rows that have come since, with about so many points at most; returns with how many.
+   * @param {CanvasRenderingContext2D} context @param {any} scale @param {any} series @param {{true: boolean, raw: boolean}} shown @param {number} most
+   */
+  grow(context, scale, series, shown, most) {
     const { area, spec } = this;
+    const every = scale.every;
+    const rows = Math.ceil(most / (3 * spec.lines.length)) * every;
+    const to = Math.min(series.rows - (series.rows % every), this.done + rows);
+    if (to <= this.done) return 0;
     const range = scale.ranges[spec.scale];
     context.save();
     context.beginPath();
@@ -115,25 +116,26 @@ export class Box {
       this.#line(context, scale, series, series.column(one.solid), to, range);
     });
     context.restore();
+    const points = (3 * spec.lines.length * (to - this.done)) / every;
     this.done = to;
+    return points;
   }
 
   /** Returns how long the line is that it has painted (pixels). */
   #line(context, scale, series, column, to, range) {
     if (column < 0) return 0;
-    const { width, data } = { width: series.columns.length, data: series.data };
     const perSecond = this.area.width / scale.span_s;
     const perUnit = this.area.height / (range.high - range.low);
     const base = this.area.top + this.area.height + range.low * perUnit;
     let [x, y, long, begun] = [0, 0, 0, false];
     context.beginPath();
     for (let row = Math.max(0, this.done - scale.every); row < to; row += scale.every) {
-      const value = data[row * width + column];
+      const value = series.at(row, column);
       if (!(value === value)) {
         begun = false;
         continue;
       }
-      const nx = this.area.left + data[row * width] * perSecond;
+      const nx = this.area.left + series.at(row, 0) * perSecond;
       const ny = base - value * perUnit * this.spec.times;
       if (begun) {
         context.lineTo(nx, ny);
@@ -149,14 +151,11 @@ export class Box {
 
   #dots(context, scale, series, column, to, range) {
     if (column < 0) return;
-    const { width, data } = { width: series.columns.length, data: series.data };
     context.globalAlpha = 0.35;
-    context.beginPath();
     for (let row = this.done; row < to; row += scale.every) {
-      const value = data[row * width + column];
-      if (value === value) context.rect(this.px(data[row * width], scale) - 1, this.py(value, range) - 1, 2, 2);
+      const value = series.at(row, column);
+      if (value === value) context.fillRect(Math.round(this.px(series.at(row, 0), scale)) - 1, Math.round(this.py(value, range)) - 1, 2, 2);
     }
-    context.fill();
     context.globalAlpha = 1;
   }
 }

@@ -10,8 +10,11 @@ import { Readout } from "uchain/draw/plot/readout.js";
 import { specOf } from "uchain/draw/plot/spec.js";
 import { shown } from "uchain/panel/layers.js";
 
-/** Painting boxes may take so long in a frame (ms); the rest follows in the next ones. */
-const PAINT_MS = 2;
+/** So many points are painted in a frame, and for so long (ms); the rest follows in the next ones. */
+const [PAINT_POINTS, PAINT_MS] = [2500, 2];
+
+/** To clear a box and paint its axes counts as so many points. */
+const BEGIN_POINTS = 100;
 
 export class PlotView {
   /** @type {import("uchain/pane.js").Pane|null} */
@@ -91,7 +94,6 @@ export class PlotView {
   /** Least and greatest values of what has come, and the axes they ask for. */
   #look(pane) {
     const { series, scene } = pane;
-    const width = series.columns.length;
     for (const spec of this.#specs) {
       const seen = (this.#extremes[spec.scale] ??= spec.least ? [...spec.least] : [scene.chain.s_min_db - 25, scene.chain.s_min_db + 10]);
       if (spec.least && !spec.whole) continue;
@@ -100,7 +102,7 @@ export class PlotView {
           const column = name === null ? -1 : series.column(name);
           if (column < 0) continue;
           for (let row = this.#looked; row < series.rows; row += 1) {
-            const value = series.data[row * width + column];
+            const value = series.at(row, column);
             if (value < seen[0]) seen[0] = value;
             if (value > seen[1]) seen[1] = value;
           }
@@ -145,15 +147,19 @@ export class PlotView {
     if (state !== this.#painted) for (const box of this.boxes) box.valid = false;
     this.#painted = state;
     const until = performance.now() + PAINT_MS;
+    let left = PAINT_POINTS;
     for (let i = 0; i < this.boxes.length; i += 1) {
       const box = this.boxes[this.#next % this.boxes.length];
-      this.#next += 1;
-      if (!box.valid) box.begin(context, this.scale);
-      box.grow(context, this.scale, pane.series, /** @type {any} */ (shown));
-      if (performance.now() > until) {
+      if (!box.valid) {
+        box.begin(context, this.scale);
+        left -= BEGIN_POINTS;
+      }
+      left -= box.grow(context, this.scale, pane.series, /** @type {any} */ (shown), Math.max(left, 1));
+      if (left <= 0 || performance.now() > until) {
         app.redraw();
         break;
       }
+      this.#next += 1;
     }
   }
 }
