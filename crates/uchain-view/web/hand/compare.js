@@ -2,13 +2,13 @@
 
 import { app } from "uchain/app.js";
 import { element } from "uchain/hand/element.js";
-import { differingLines } from "uchain/hand/edit/differs.js";
+import { differingKeys, short } from "uchain/hand/edit/differs.js";
 import { setting } from "uchain/hand/edit/toml.js";
 import { editPane } from "uchain/hand/edit.js";
 import { views } from "uchain/draw/stage.js";
 import { show as showTab } from "uchain/panel/tabs.js";
 
-/** More lines that differ than these are counted, not named. */
+/** More keys that differ than these are counted, not named. */
 const MOST_NAMED = 3;
 /** Things worth changing, to begin with: a key, what it becomes, and words. */
 const IDEAS = [
@@ -46,7 +46,7 @@ function shown() {
     if (two) section.dataset.letter = "AB"[i];
     else delete section.dataset.letter;
     if (!two) return;
-    section.querySelector("header").after(element("div", { className: "compare-line" },
+    section.querySelector("header").append(element("div", { className: "compare-line" },
       element("p", { className: "compare-differs" }, i === 0 ? "As it is" : difference()),
       i === 1 && element("button", { type: "button", className: "small", onclick: close, "aria-label": "Close flight B" }, "✕"),
       element("p", { className: "compare-outcome", role: "status" })));
@@ -59,13 +59,12 @@ function difference() {
   const [a, b] = app.panes;
   const said = [];
   if (a.scene.seed !== b.scene.seed) said.push(`seed ${b.scene.seed} instead of ${a.scene.seed}`);
-  const { before, after } = differingLines(a.scene.text ?? "", b.scene.text ?? "");
-  const isNamed = before.length <= MOST_NAMED && after.length <= MOST_NAMED;
-  if (isNamed && before.length === after.length && before.length > 0) before.forEach((line, i) => said.push(`${after[i]} instead of ${line}`));
-  else if (isNamed) {
-    if (after.length) said.push(after.join(", "));
-    if (before.length) said.push(`without ${before.join(", ")}`);
-  } else said.push(`${before.length} lines became ${after.length} others`);
+  const keys = differingKeys(a.scene.text ?? "", b.scene.text ?? "");
+  for (const { path, one, other } of keys.slice(0, MOST_NAMED)) {
+    if (other === null) said.push(`without ${path} = ${short(one)}`);
+    else said.push(`${path} = ${short(other)}${one === null ? "" : ` instead of ${short(one)}`}`);
+  }
+  if (keys.length > MOST_NAMED) said.push(`and ${keys.length - MOST_NAMED} keys more`);
   const [ia, ib] = [a, b].map((pane) => JSON.stringify(pane.explores ? [] : pane.engine.do("inputs")));
   if (ia !== ib) said.push("other inputs by hand");
   return said.length ? said.join("; ") : "the same as A so far: change something under Edit";

@@ -30,7 +30,6 @@ export function start() {
     take: (follow) => steer(stick.take(follow)),
     faster: (by) => steer(stick.faster(by)),
     stop: () => steer(stick.stop()),
-    rate: (rate) => (app.rate = rate),
     again: () => takeOver(0),
     back: giveBack,
     done: () => (app.mode = "watch"),
@@ -44,7 +43,6 @@ export function start() {
   });
   app.on("frame", (pane) => pane === app.panes[0] && look(pane));
   app.on("grown", (pane) => pane === app.panes[0] && look(pane));
-  app.on("rate", (rate) => bar.showRate(rate));
   key(["f", "F"], "F", "fly the head by hand from the cursor on, and hand back", toggle);
   key(["ArrowUp", "ArrowDown"], "↑ ↓", "faster, slower; hold to go on; backward below zero", () => {}, "fly");
   key(["ArrowLeft", "ArrowRight"], "← →", "which way at a branch", () => {}, "fly");
@@ -143,6 +141,7 @@ function changed(mode) {
   if (flies) {
     app.rate = RATE;
     document.getElementById("stage").focus({ preventScroll: true });
+    scrollTo(0, 0);
   } else {
     taking = null;
     if (rateBefore > 0) app.rate = rateBefore;

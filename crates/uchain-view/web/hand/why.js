@@ -168,7 +168,7 @@ function drawings(why, uav, pane) {
       ];
   if (why.stage !== "flying") return made;
   marks.push({ name: "flies", mps: frame?.uavs?.[uav]?.forward_mps, kind: "asked" });
-  made.push(element("h4", {}, "Forward speed"), speedDrawing(marks, chain.v_max_mps, "Forward speed"));
+  made.push(element("h4", {}, "Forward speed"), speedDrawing(marks, chain.v_max_mps, { label: "Forward speed" }));
   if (why.overridden) made.push(element("p", { className: "why-override" }, "Overridden: ", element("strong", {}, String(why.overridden).replaceAll("-", " "))));
   made.push(
     element("h4", {}, "Between the walls"),

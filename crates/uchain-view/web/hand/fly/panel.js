@@ -4,8 +4,6 @@ import { WAYS } from "uchain/hand/fly/stick.js";
 import { element, shown } from "uchain/hand/element.js";
 import { speedDrawing } from "uchain/hand/why/speed.js";
 
-/** Times real time that a person can steer at. */
-const RATES = [1, 2, 5, 10, 20];
 /** A button that is held repeats after so long (ms). */
 const REPEAT_MS = 220;
 
@@ -16,19 +14,20 @@ export class SteeringBar {
     this.speed = element("output", { className: "fly-speed", "aria-live": "polite", "aria-label": "asked of the head" });
     this.gauge = element("div", { className: "fly-gauge" });
     this.held = element("p", { className: "fly-held", role: "status" });
-    this.rate = element("select", { "aria-label": "times real time", onchange: () => does.rate(Number(this.rate.value)) }, ...RATES.map((rate) => new Option(`${rate} ×`, String(rate))));
     this.back = element("button", { type: "button", hidden: true, onclick: does.back, title: "Open the flight as it was before you took over" }, "Undo take-over");
     place.replaceChildren(
-      element("div", { className: "fly-row" },
-        element("div", { className: "fly-group", role: "group", "aria-label": "Which way at a branch" }, element("span", { className: "fly-word" }, "At a branch"), ...this.ways),
-        element("div", { className: "fly-group", role: "group", "aria-label": "Speed" },
-          held(element("button", { type: "button", className: "big", "aria-keyshortcuts": "ArrowDown" }, "▼ Slower"), () => does.faster(-1)),
-          element("button", { type: "button", className: "big stop", "aria-keyshortcuts": "Space", onclick: does.stop }, "■ Stop"),
-          held(element("button", { type: "button", className: "big", "aria-keyshortcuts": "ArrowUp" }, "▲ Faster"), () => does.faster(1)),
-          this.speed),
-        this.gauge,
-        element("div", { className: "fly-group end", role: "group", "aria-label": "This flight by hand" }, this.rate, element("button", { type: "button", onclick: does.again, title: "Fly by hand from the start" }, "From the start"), this.back, element("button", { type: "button", onclick: does.done }, "Done"))),
+      element("div", { className: "fly-group ways", role: "group", "aria-label": "Which way at a branch" }, element("span", { className: "fly-word" }, "At a branch"), ...this.ways),
+      element("div", { className: "fly-group speeds", role: "group", "aria-label": "Speed" },
+        held(element("button", { type: "button", className: "big", "aria-keyshortcuts": "ArrowDown" }, "▼ Slower"), () => does.faster(-1)),
+        element("button", { type: "button", className: "big stop", "aria-keyshortcuts": "Space", onclick: does.stop }, "■ Stop"),
+        held(element("button", { type: "button", className: "big", "aria-keyshortcuts": "ArrowUp" }, "▲ Faster"), () => does.faster(1)),
+        this.speed),
       this.held,
+      this.gauge,
+      element("div", { className: "fly-group ends", role: "group", "aria-label": "This flight by hand" },
+        element("button", { type: "button", onclick: does.done, title: "Watch: it flies on with what you asked last (F)" }, "Done"),
+        element("button", { type: "button", onclick: does.again, title: "Fly by hand from the start" }, "From the start"),
+        this.back),
     );
   }
 
@@ -36,7 +35,7 @@ export class SteeringBar {
   wished(stick) {
     this.ways.forEach((button, i) => button.setAttribute("aria-pressed", String(WAYS[i].follow === stick.follow)));
     const { speed_mps } = stick;
-    this.speed.value = speed_mps === 0 ? "hover" : `${shown(Math.abs(speed_mps), 2, "m/s")} ${speed_mps > 0 ? "forward" : "backward"}`;
+    this.speed.value = speed_mps === 0 ? "hover" : `${speed_mps > 0 ? "▲" : "▼ back"} ${shown(Math.abs(speed_mps), 2, "m/s")}`;
   }
 
   /** What became of it. @param {any} head the frame's `head` @param {number} v_max_mps */
@@ -44,20 +43,15 @@ export class SteeringBar {
     const marks = [
       { name: "you ask", mps: head?.pilot_mps ?? 0, kind: "pilot" },
       { name: "its link allows", mps: head?.allowed_mps ?? 0, kind: "allowed" },
-      { name: "asked of it", mps: head?.asked_mps ?? 0, kind: "asked" },
+      { name: "walls leave", mps: head?.asked_mps ?? 0, kind: "asked" },
     ];
-    this.gauge.replaceChildren(speedDrawing(marks, v_max_mps, "The head's speed"));
+    this.gauge.replaceChildren(speedDrawing(marks, v_max_mps, { label: "The head's speed", width: 230, row: 16, hasAxis: false }));
   }
 
   /** Why it is held, or what to do next. @param {string} words @param {boolean} isHeld */
   says(words, isHeld) {
     if (this.held.textContent !== words) this.held.textContent = words;
     this.held.classList.toggle("is-held", isHeld);
-  }
-
-  showRate(rate) {
-    if (![...this.rate.options].some((option) => Number(option.value) === rate)) this.rate.add(new Option(`${rate} ×`, String(rate)));
-    this.rate.value = String(rate);
   }
 }
 

@@ -16,10 +16,9 @@ const LATE_S = 0.3;
  * @param {{ahead: string, behind: string, s_min_db: number, colour: (loss_db: number) => string}} about
  */
 export function linksDrawing(why, about) {
-  const rows = [
-    { name: "front", whom: about.ahead, link: why.front },
-    { name: "back", whom: about.behind, link: why.back },
-  ];
+  const rows = [{ name: "back", whom: about.behind, link: why.back }];
+  // Whoever leads has nobody in front.
+  if (why.role !== "head" || why.front) rows.unshift({ name: "front", whom: about.ahead, link: why.front });
   const [low_db, high_db] = extent(rows, why, about.s_min_db);
   const x = (db) => LEFT + ((Math.min(Math.max(db, low_db), high_db) - low_db) / (high_db - low_db)) * (WIDTH - LEFT - RIGHT);
   const bottom = TOP + rows.length * ROW;
