@@ -28,7 +28,7 @@ let sameInputs;
 let which;
 /** The pane whose text is edited. */
 let target = 0;
-/** Texts that were changed and not flown yet, by pane. */
+/** Texts that were changed and not flown yet, by pane; `label` where it is another scenario than what is flown. */
 const drafts = new WeakMap();
 let timer = 0;
 let lastError = null;
@@ -77,14 +77,20 @@ export function start() {
 
 const pane = () => app.panes[Math.min(target, app.panes.length - 1)];
 
-/** Opens the editor on a text that is not right (or not flown yet), with its error at the line. */
+/** Opens the editor on another scenario, which is not right yet, with its error at the line. What is flown goes on. */
 export function editText(draft, label) {
   showTab("edit");
-  drafts.set(pane(), draft);
+  drafts.set(pane(), { text: draft, label });
   text.open(draft);
   check();
-  app.say("note", `${label} is in the editor; what was flown goes on until you press Fly.`);
+  showHandles();
   text.area.focus();
+}
+
+/** A scenario in the editor whose map was missing: `{text, label}`; null = there is none. */
+export function waitingForMap() {
+  const draft = drafts.get(pane());
+  return draft?.label && namesMap(draft.text) ? draft : null;
 }
 
 /** Edits the text of this pane from now on. */
@@ -111,7 +117,7 @@ function opened(flown) {
 function load() {
   const of = pane();
   if (!of) return;
-  const wanted = drafts.get(of) ?? of.scene.text ?? "";
+  const wanted = drafts.get(of)?.text ?? of.scene.text ?? "";
   if (text.text !== wanted) text.open(wanted);
   seed.value = String(of.scene.seed ?? 1);
   showInputs();
@@ -121,7 +127,8 @@ function load() {
 
 /** Corners can be dragged while the text is edited, and nobody steers. */
 function showHandles() {
-  handles.shown(!panel.hidden && app.mode === "watch" ? (pane() ?? null) : null);
+  const isHere = !panel.hidden && app.mode === "watch" && pane() && !drafts.get(pane())?.label;
+  handles.shown(isHere ? pane() : null);
 }
 
 function panesChanged() {
@@ -145,7 +152,7 @@ function inputsOf(of) {
 }
 
 function typed() {
-  drafts.set(pane(), text.text);
+  drafts.set(pane(), { text: text.text, label: drafts.get(pane())?.label ?? null });
   clearTimeout(timer);
   timer = setTimeout(check, CHECK_MS);
   flyButton.classList.toggle("is-due", text.text !== pane()?.scene.text);
@@ -185,8 +192,7 @@ function fail(error) {
   lastError = error;
   text.mark(error.line ?? null);
   const where = error.line ? `Line ${error.line}: ` : "";
-  const plain = String(error.message).replace(/^[^\s:]+:\d+: /, "");
-  verdictIs("error", `${where}${plain}${error.hint ? `\n${error.hint}` : ""}`);
+  verdictIs("error", `${where}${plainly(error, labelOf(pane()))}${error.hint ? `\n${error.hint}` : ""}`);
 }
 
 function verdictIs(kind, words) {
@@ -203,10 +209,20 @@ function looked(of) {
   return beside.do("open", { flight: { ...walls, kind: "scenario", label: labelOf(of), text: text.text, seed: 1 } });
 }
 
-const labelOf = (of) => of.scene.label ?? `${of.scene.name}.toml`;
+const labelOf = (of) => drafts.get(of)?.label ?? of.scene.label ?? `${of.scene.name}.toml`;
 
-/** What of a flight stays when its text changes: the walls of its map file. */
+/** An error's words without the name and line before them. */
+export function plainly(error, label) {
+  const message = String(error.message);
+  return [`${label}:${error.line}: `, `${label}: `].reduce((words, before) => (words.startsWith(before) ? words.slice(before.length) : words), message);
+}
+
+/** Whether a scenario's map is a file, so that its walls come from elsewhere. */
+const namesMap = (toml) => statements(toml).some((one) => /^map\.\w+\.file$/.test(one.path));
+
+/** What of a flight stays when its text changes: the walls of its map file. Walls that stand in the text are read from it. */
 function carried(of) {
+  if (drafts.get(of)?.label || !namesMap(text.text)) return {};
   const { walls_csv = null, map_offset_m = null } = wallsOf(of);
   return { walls_csv, map_offset_m };
 }
@@ -228,10 +244,10 @@ async function fly() {
     return;
   }
   const flown = text.text;
-  const inputs = sameInputs.checked ? inputsOf(of) : [];
+  const isOther = Boolean(drafts.get(of)?.label);
+  const inputs = sameInputs.checked && !isOther ? inputsOf(of) : [];
   try {
-    const base = of.engine.do("flight");
-    await app.open({ ...base, ...carried(of), kind: "scenario", label: labelOf(of), text: flown, seed: number, inputs }, app.panes.indexOf(of));
+    await app.open({ ...carried(of), kind: "scenario", label: labelOf(of), text: flown, seed: number, inputs }, app.panes.indexOf(of));
     drafts.delete(of);
     app.play();
   } catch (error) {

@@ -4,7 +4,7 @@
 import { app } from "uchain/app.js";
 import { Engine } from "uchain/engine.js";
 import { element } from "uchain/hand/element.js";
-import { editText } from "uchain/hand/edit.js";
+import { editText, plainly, waitingForMap } from "uchain/hand/edit.js";
 import { bytesOf, FileError, flightOf, kindOf, READS, sorted, textOf } from "uchain/hand/files/kinds.js";
 import { menu } from "uchain/hand/files/menu.js";
 import { saveFlight, saveRecording, saveToml, stem } from "uchain/hand/files/save.js";
@@ -94,6 +94,12 @@ async function flown(flight) {
 async function takeRecording(file) {
   const bytes = await bytesOf(file);
   await flown({ kind: "recording", label: file.name, bytes });
+  const [pane] = app.panes;
+  const stop = app.on("grown", () => {
+    if (!pane.stopped && app.panes[0] === pane) return;
+    stop();
+    if (["damaged", "cut-short"].includes(pane.stopped?.why)) app.say("error", `${file.name}: ${pane.stopped.words}. Up to there it can be looked at.`);
+  });
 }
 
 /** A scenario that is not right goes to the editor, with its error at the line. */
@@ -102,7 +108,8 @@ async function takeScenario(name, text) {
     await flown({ kind: "scenario", label: name, text, seed: 1, inputs: [] });
   } catch (error) {
     if (error.line === undefined || app.panes.length === 0) throw error;
-    app.say("error", `${name} ${error.line ? `line ${error.line}: ` : "does not fly: "}${error.words ?? error.message}`);
+    const hint = error.hint ? ` (${error.hint})` : "";
+    app.say("error", `${name}${error.line ? `, line ${error.line}` : ""}: ${plainly(error, name)}${hint}. It is in the editor; what was flown goes on.`);
     editText(text, name);
   }
 }
@@ -116,7 +123,9 @@ async function takeMap(files, scenario, cell_m = null) {
   const whole = new Uint8Array(all.reduce((sum, bytes) => sum + bytes.length, 0));
   all.reduce((at, bytes) => (whole.set(bytes, at), at + bytes.length), 0);
   const args = { files: files.map((file, i) => ({ name: file.name, bytes: all[i].length })), cell_m };
+  const waiting = waitingForMap();
   if (scenario) Object.assign(args, { text: await textOf(scenario), label: scenario.name });
+  else if (waiting) Object.assign(args, waiting);
   const engine = await Engine.start();
   engine.do("map", args, whole);
   await flown(engine.do("flight"));
