@@ -38,6 +38,11 @@ export function uavColour(id) {
   return UAVS[id % UAVS.length];
 }
 
+/** The same for words: darker on light ground, lighter on dark ground, so that thin letters are read. @param {number} id */
+export function uavInk(id) {
+  return palette().dark ? mix(UAVS[id % UAVS.length], "#FFFFFF", 0.35) : mix(UAVS[id % UAVS.length], "#000000", 0.32);
+}
+
 /** Ink that is read on that colour. @param {number} id */
 export function onUav(id) {
   return id % UAVS.length === 1 || id % UAVS.length === 0 ? "#FFFFFF" : "#111111";

@@ -6,8 +6,8 @@ import { discPx, drawDisc, drawTrails, label, nearest } from "uchain/draw/chain.
 import { palette, uavColour } from "uchain/draw/colours.js";
 import { shown } from "uchain/panel/layers.js";
 
-/** Frontiers, as in the pictures of `uchain run`. */
-const FRONTIER = { light: "#B0438A", dark: "#E79AC4" };
+export const FRONTIER = { light: "#B0438A", dark: "#E79AC4" };
+export const STAR = { light: "#0072B2", dark: "#56B4E9" };
 
 /** The robot at a pixel. @param {any} pane @param {import("uchain/draw/view.js").View} view @param {number} px @param {number} py */
 export function nearestRobot(pane, view, px, py) {
@@ -59,7 +59,7 @@ export class Explored {
     this.#tick = tick;
     const done = this.#done;
     const star = this.#context(this.#stars, ratio);
-    star.fillStyle = colours.dark ? "#56B4E9" : "#0072B2";
+    star.fillStyle = colours.dark ? STAR.dark : STAR.light;
     for (; done.nodes < nodes.length && nodes[done.nodes].tick <= tick; done.nodes += 1) {
       fillStar(star, view, nodes[done.nodes], pane.scene.exploration);
       this.#open(nodes[done.nodes], done.nodes, pane.scene.exploration);

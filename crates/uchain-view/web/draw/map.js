@@ -3,8 +3,8 @@
 
 import { app } from "uchain/app.js";
 import { drawChain, nearestUav } from "uchain/draw/chain.js";
-import { palette } from "uchain/draw/colours.js";
 import { Explored, nearestRobot } from "uchain/draw/explore.js";
+import { drawKey } from "uchain/draw/key.js";
 import { Rock } from "uchain/draw/rock.js";
 import { Touch } from "uchain/draw/touch.js";
 import { View } from "uchain/draw/view.js";
@@ -66,29 +66,7 @@ export class MapView {
       else drawChain(context, this.view, pane);
     }
     for (const overlay of this.overlays) overlay(context, this.view, pane);
-    this.#scaleBar();
-  }
-
-  /** How long a metre is on the map. */
-  #scaleBar() {
-    const { context, view } = this;
-    const colours = palette();
-    const wanted = 90 / view.scale;
-    const power = 10 ** Math.floor(Math.log10(wanted));
-    const length_m = power * ([5, 2, 1].find((step) => step * power <= wanted) ?? 1);
-    const [x, y, width] = [14, view.height - 14, length_m * view.scale];
-    context.font = "12px system-ui, sans-serif";
-    context.textAlign = "left";
-    context.textBaseline = "alphabetic";
-    context.lineWidth = 2;
-    context.strokeStyle = context.fillStyle = colours.ink;
-    context.beginPath();
-    context.moveTo(x, y - 5);
-    context.lineTo(x, y);
-    context.lineTo(x + width, y);
-    context.lineTo(x + width, y - 5);
-    context.stroke();
-    context.fillText(length_m < 1 ? `${Math.round(length_m * 100)} cm` : `${length_m} m`, x + 5, y - 6);
+    drawKey(context, this.view, pane);
   }
 
   #buttons() {

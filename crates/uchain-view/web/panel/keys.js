@@ -29,30 +29,39 @@ function taken(/** @type {KeyboardEvent} */ event) {
   return (at.tagName === "BUTTON" || at.tagName === "SUMMARY") && presses;
 }
 
+/** The keys of a mode as a table with its title. @param {string} title @param {string|null} mode */
+function table(title, mode) {
+  const part = document.createElement("section");
+  const head = document.createElement("h3");
+  head.textContent = title;
+  const table = document.createElement("table");
+  for (const { shown, words } of ALL.filter((one) => one.mode === mode)) {
+    const row = table.insertRow();
+    const cell = row.insertCell();
+    for (const name of shown.split(" ")) {
+      const cap = document.createElement(name === "…" ? "span" : "kbd");
+      cap.textContent = name;
+      cell.append(cap, " ");
+    }
+    row.insertCell().textContent = words;
+  }
+  part.append(head, table);
+  return part;
+}
+
 function list() {
   const dialog = document.createElement("dialog");
   dialog.className = "keys";
   dialog.setAttribute("aria-label", "List of keys");
-  const title = document.createElement("h2");
-  title.textContent = "Keys";
-  const table = document.createElement("table");
-  for (const { shown, words, mode } of ALL) {
-    const row = table.insertRow();
-    for (const name of shown.split(" ")) {
-      const cap = document.createElement("kbd");
-      cap.textContent = name;
-      row.append(row.cells[0] ?? row.insertCell());
-      row.cells[0].append(cap, " ");
-    }
-    row.insertCell().textContent = mode ? `${words} (${mode === "fly" ? "while flying" : "while watching"})` : words;
-  }
+  const columns = document.createElement("div");
+  columns.append(table("Watching", "watch"), table("Flying by hand", "fly"), table("Always", null));
   const close = document.createElement("button");
   close.type = "button";
   close.className = "main";
   close.textContent = "Close";
   close.addEventListener("click", () => dialog.close());
   dialog.addEventListener("close", () => dialog.remove());
-  dialog.append(title, table, close);
+  dialog.append(columns, close);
   document.body.append(dialog);
   dialog.showModal();
 }

@@ -6,7 +6,9 @@ import { fly, scenarios } from "uchain/panel/bar.js";
 
 const TEXT = [
   "A chain of small UAVs carries radio into a tunnel. Nobody knows a position: each UAV listens how loud its two neighbours are, and flies until both are equally loud. When the chain is stretched, the next one takes off.",
-  "Press Space to stop and go, drag the time line, click a UAV to ask why it moves.",
+  matchMedia("(pointer: coarse)").matches
+    ? "Tap ❚❚ to stop, drag the time line, tap a UAV to ask why it moves."
+    : "Press Space to stop and go, drag the time line, click a UAV to ask why it moves.",
 ];
 
 function card(/** @type {any} */ one, /** @type {() => void} */ close) {

@@ -59,7 +59,7 @@ export class Box {
     context.font = "11px system-ui, sans-serif";
     context.textAlign = "right";
     context.textBaseline = "middle";
-    const stepY = Math.max(spec.whole ? 1 : 0, niceStep(range.high - range.low, Math.max(2, area.height / 44)));
+    const stepY = Math.max(spec.whole ? 1 : 0, niceStep(range.high - range.low, Math.max(2, area.height / 38)));
     for (let value = Math.ceil(range.low / stepY) * stepY; value <= range.high + 1e-6; value += stepY) {
       const y = Math.round(this.py(value, range)) + 0.5;
       line(context, area.left, y, area.left + area.width, y);

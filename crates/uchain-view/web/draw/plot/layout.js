@@ -9,10 +9,11 @@ export const AROUND = { left: 76, right: 66, top: 22, bottom: 22 };
 /** @param {import("uchain/draw/plot/spec.js").Spec[]} specs @param {number} width @param {number} height */
 export function layOut(specs, width, height) {
   const single = specs.length === 1;
+  const around = width < 480 ? { ...AROUND, left: 56, right: 58 } : AROUND;
   const columns = single ? 1 : specs.length === 2 ? (width > 620 ? 2 : 1) : gridColumns(specs.length, width, height);
   const rows = Math.ceil(specs.length / columns);
   const few = specs.length <= 2;
-  const left = few ? AROUND.left : 58;
+  const left = few ? around.left : 58;
   const top = few ? 4 : 20;
   const bottom = 22;
   const cellWidth = (width - (few ? 0 : left + 6)) / columns;
@@ -21,7 +22,7 @@ export function layOut(specs, width, height) {
     const [column, row] = [i % columns, Math.floor(i / columns)];
     if (few) {
       const all = { left: column * cellWidth, top: row * cellHeight, width: cellWidth, height: cellHeight };
-      const area = { left: all.left + AROUND.left, top: all.top + AROUND.top, width: cellWidth - AROUND.left - AROUND.right, height: cellHeight - AROUND.top - AROUND.bottom };
+      const area = { left: all.left + around.left, top: all.top + around.top, width: cellWidth - around.left - around.right, height: cellHeight - around.top - around.bottom };
       return new Box(spec, area, all, { ticksX: true, ticksY: true, last: true });
     }
     const last = i + columns >= specs.length;

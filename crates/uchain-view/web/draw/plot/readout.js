@@ -2,7 +2,7 @@
 // What moves over a plot: the cursor, names at the ends of lines, and the values under the pointer; a press goes there.
 
 import { app } from "uchain/app.js";
-import { palette } from "uchain/draw/colours.js";
+import { palette, uavInk } from "uchain/draw/colours.js";
 import { clock } from "uchain/panel/events.js";
 
 /** Names at line ends keep this apart (pixels). */
@@ -123,12 +123,12 @@ export class Readout {
     const range = scale.ranges[spec.scale];
     /** @type {{y: number, text: string, ink: string}[]} */
     const names = [];
-    for (const { solid, label, colour, id } of spec.lines) {
+    for (const { solid, label, id, ink } of spec.lines) {
       const value = lastOf(series, series.column(solid));
       if (value === null || !label) continue;
-      names.push({ y: box.py(value * spec.times, range), text: this.plot.boxes.length > 2 ? String(id) : label, ink: colour });
+      names.push({ y: box.py(value * spec.times, range), text: this.plot.boxes.length > 2 ? String(id) : label, ink: uavInk(ink) });
     }
-    if (spec.scale === "loss" && this.plot.boxes.length === 1) names.push({ y: box.py(scale.s_min_db, range), text: `s_min ${scale.s_min_db}`, ink: colours.soft });
+    if (spec.scale === "loss" && this.plot.boxes.length === 1) names.push({ y: box.py(scale.s_min_db, range), text: this.plot.width < 480 ? "s_min" : `s_min ${scale.s_min_db}`, ink: colours.soft });
     names.sort((a, b) => a.y - b.y);
     const apart = Math.min(APART_PX, area.height / Math.max(1, names.length));
     names.forEach((one, i) => (one.y = Math.max(one.y, i ? names[i - 1].y + apart : area.top + 4)));

@@ -9,7 +9,7 @@ export const LINES = 6;
 const OWN_BOX = 30;
 
 /**
- * @typedef {{id: number, label: string, colour: string, solid: string, dashed: string|null, dots: string|null}} Line
+ * @typedef {{id: number, label: string, ink: number, colour: string, solid: string, dashed: string|null, dots: string|null}} Line
  * @typedef {{title: string, unit: string, lines: Line[], scale: string, least: [number, number]|null, whole: boolean, times: number}} Spec
  */
 
@@ -24,7 +24,7 @@ export function specOf(pane, flown) {
 function chain(pane, flown) {
   const lines = [];
   for (let id = 0; id < flown; id += 1) {
-    lines.push({ id, label: pane.nameOf(id), colour: uavColour(id), solid: `filtered_db.${id}`, dashed: `true_db.${id}`, dots: `raw_db.${id}` });
+    lines.push({ id, label: pane.nameOf(id), ink: id, colour: uavColour(id), solid: `filtered_db.${id}`, dashed: `true_db.${id}`, dots: `raw_db.${id}` });
   }
   const each = flown <= LINES ? LINES : flown <= OWN_BOX ? 1 : LINES;
   const boxes = [];
@@ -37,9 +37,9 @@ function chain(pane, flown) {
 }
 
 function exploration(pane) {
-  const line = (/** @type {string} */ column, /** @type {string} */ label, /** @type {string} */ colour) => ({ id: -1, label, colour, solid: column, dashed: null, dots: null });
+  const line = (/** @type {string} */ column, /** @type {string} */ label, /** @type {number} */ ink) => ({ id: -1, label, ink, colour: uavColour(ink), solid: column, dashed: null, dots: null });
   return [
-    { title: "seen, of what can be reached (%)", unit: "%", lines: [line("coverage", "", uavColour(1))], scale: "coverage", least: /** @type {[number, number]} */ ([0, 100]), whole: false, times: 100 },
-    { title: "hubs: nodes with a frontier left; robots that move", unit: "", lines: [line("hubs", "hubs", uavColour(0)), line("moving", "moving", uavColour(2))], scale: "count", least: /** @type {[number, number]} */ ([0, pane.crew]), whole: true, times: 1 },
+    { title: "seen, of what can be reached (%)", unit: "%", lines: [line("coverage", "", 1)], scale: "coverage", least: /** @type {[number, number]} */ ([0, 100]), whole: false, times: 100 },
+    { title: "hubs: nodes with a frontier left; robots that move", unit: "", lines: [line("hubs", "hubs", 0), line("moving", "moving", 2)], scale: "count", least: /** @type {[number, number]} */ ([0, pane.crew]), whole: true, times: 1 },
   ];
 }
