@@ -16,7 +16,7 @@ import * as keys from "uchain/panel/keys.js";
 import * as layers from "uchain/panel/layers.js";
 import * as say from "uchain/panel/say.js";
 import * as tabs from "uchain/panel/tabs.js";
-import * as timeline from "uchain/panel/timeline.js";
+import * as timeline from "uchain/panel/time/timeline.js";
 import * as welcome from "uchain/panel/welcome.js";
 
 /** The flight in this page or its address; null = it has none. */

@@ -2,7 +2,7 @@
 // The stage: a section for each flight, with its title, its map and its plot over time.
 
 import { app } from "uchain/app.js";
-import { MapView } from "uchain/draw/map.js";
+import { MapView } from "uchain/draw/map/map.js";
 import { PlotView } from "uchain/draw/plot/plot.js";
 import { LINES } from "uchain/draw/plot/spec.js";
 import { about } from "uchain/panel/bar.js";

@@ -2,7 +2,7 @@
 // The events of the flight as a list: the newest up to the cursor first; a click goes there. Also says them to screen readers.
 
 import { app } from "uchain/app.js";
-import { lookOf } from "uchain/panel/marks.js";
+import { lookOf } from "uchain/panel/time/marks.js";
 
 /** So many are listed at once: those around the cursor. */
 const SHOWN = 120;

@@ -40,7 +40,7 @@ function table(title, mode) {
     const cell = row.insertCell();
     for (const name of shown.split(" ")) {
       const cap = document.createElement(name === "…" ? "span" : "kbd");
-      cap.textContent = name;
+      cap.textContent = name.length === 1 ? name.toUpperCase() : name;
       cell.append(cap, " ");
     }
     row.insertCell().textContent = words;

@@ -3,7 +3,7 @@
 
 import { app } from "uchain/app.js";
 import { palette } from "uchain/draw/colours.js";
-import { drawHeights, STRIP_PX } from "uchain/draw/heights.js";
+import { drawHeights, STRIP_PX } from "uchain/draw/plot/heights.js";
 import { niceStep } from "uchain/draw/plot/box.js";
 import { layOut } from "uchain/draw/plot/layout.js";
 import { Readout } from "uchain/draw/plot/readout.js";

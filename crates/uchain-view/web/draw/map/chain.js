@@ -16,17 +16,17 @@ const BEAMS_OF_ALL = 12;
 /** nw = front left, ne = front right, sw = rear left, se = rear right: angles to the heading (rad). */
 const BEAMS = /** @type {[string, number][]} */ ([["nw_m", Math.PI / 4], ["ne_m", -Math.PI / 4], ["sw_m", (3 * Math.PI) / 4], ["se_m", (-3 * Math.PI) / 4]]);
 
-/** How large a UAV is drawn (pixels). @param {any} pane @param {import("uchain/draw/view.js").View} view */
+/** How large a UAV is drawn (pixels). @param {any} pane @param {import("uchain/draw/map/view.js").View} view */
 export function discPx(pane, view) {
   return Math.max(LEAST_PX, (pane.scene.radius_m ?? 0) * view.scale);
 }
 
-/** The UAV at a pixel. @param {any} pane @param {import("uchain/draw/view.js").View} view @param {number} px @param {number} py */
+/** The UAV at a pixel. @param {any} pane @param {import("uchain/draw/map/view.js").View} view @param {number} px @param {number} py */
 export function nearestUav(pane, view, px, py) {
   return nearest(pane.frame.uavs, view, px, py, discPx(pane, view) + 6);
 }
 
-/** @param {any[]} all @param {import("uchain/draw/view.js").View} view @param {number} px @param {number} py @param {number} within_px */
+/** @param {any[]} all @param {import("uchain/draw/map/view.js").View} view @param {number} px @param {number} py @param {number} within_px */
 export function nearest(all, view, px, py, within_px) {
   let best = null;
   let least = within_px;
@@ -37,7 +37,7 @@ export function nearest(all, view, px, py, within_px) {
   return best;
 }
 
-/** @param {CanvasRenderingContext2D} context @param {import("uchain/draw/view.js").View} view @param {any} pane */
+/** @param {CanvasRenderingContext2D} context @param {import("uchain/draw/map/view.js").View} view @param {any} pane */
 export function drawChain(context, view, pane) {
   const { frame, scene } = pane;
   context.lineJoin = context.lineCap = "round";
@@ -54,7 +54,7 @@ export function drawChain(context, view, pane) {
   }
 }
 
-/** Where each has been, up to the cursor. @param {CanvasRenderingContext2D} context @param {import("uchain/draw/view.js").View} view @param {any} pane */
+/** Where each has been, up to the cursor. @param {CanvasRenderingContext2D} context @param {import("uchain/draw/map/view.js").View} view @param {any} pane */
 export function drawTrails(context, view, pane) {
   const { series, frame } = pane;
   const last = series.rowAt(frame.time_s);
@@ -141,7 +141,7 @@ function places(context, view, pane) {
   label(context, ground ? `base, ${ground} waiting` : "base", x, y + 20, view);
 }
 
-/** Words on a plate of their own, within the map. @param {CanvasRenderingContext2D} context @param {string} text @param {number} x @param {number} y the middle @param {import("uchain/draw/view.js").View} view */
+/** Words on a plate of their own, within the map. @param {CanvasRenderingContext2D} context @param {string} text @param {number} x @param {number} y the middle @param {import("uchain/draw/map/view.js").View} view */
 export function label(context, text, x, y, view) {
   const colours = palette();
   const half = context.measureText(text).width / 2 + 5;

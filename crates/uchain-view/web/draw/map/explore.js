@@ -2,14 +2,14 @@
 // An exploration on its map: stars as sectors, frontiers, the graph, targets, robots.
 
 import { app } from "uchain/app.js";
-import { discPx, drawDisc, drawTrails, label, nearest } from "uchain/draw/chain.js";
+import { discPx, drawDisc, drawTrails, label, nearest } from "uchain/draw/map/chain.js";
 import { palette, uavColour } from "uchain/draw/colours.js";
 import { shown } from "uchain/panel/layers.js";
 
 export const FRONTIER = { light: "#B0438A", dark: "#E79AC4" };
 export const STAR = { light: "#0072B2", dark: "#56B4E9" };
 
-/** The robot at a pixel. @param {any} pane @param {import("uchain/draw/view.js").View} view @param {number} px @param {number} py */
+/** The robot at a pixel. @param {any} pane @param {import("uchain/draw/map/view.js").View} view @param {number} px @param {number} py */
 export function nearestRobot(pane, view, px, py) {
   return nearest(pane.frame.robots, view, px, py, discPx(pane, view) + 6);
 }
@@ -25,7 +25,7 @@ export class Explored {
   /** Frontiers at the cursor: node * sectors + sector. @type {Set<number>} */
   #frontiers = new Set();
 
-  /** @param {CanvasRenderingContext2D} context @param {import("uchain/draw/view.js").View} view @param {any} pane @param {number} ratio */
+  /** @param {CanvasRenderingContext2D} context @param {import("uchain/draw/map/view.js").View} view @param {any} pane @param {number} ratio */
   draw(context, view, pane, ratio) {
     const colours = palette();
     const state = `${view.version} ${ratio} ${colours.dark} ${pane.version}`;

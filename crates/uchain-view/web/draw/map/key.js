@@ -2,14 +2,14 @@
 // The key to a map, in its lower left corner: how long a metre is, and what the colours say.
 
 import { linkColour, palette } from "uchain/draw/colours.js";
-import { FRONTIER, STAR } from "uchain/draw/explore.js";
+import { FRONTIER, STAR } from "uchain/draw/map/explore.js";
 
 /** About how long the scale bar is (pixels). */
 const BAR_PX = 90;
 /** The colours of links: from so far below s_min to so far above it (dB). */
 const SPAN_DB = 20;
 
-/** @param {CanvasRenderingContext2D} context @param {import("uchain/draw/view.js").View} view @param {any} pane */
+/** @param {CanvasRenderingContext2D} context @param {import("uchain/draw/map/view.js").View} view @param {any} pane */
 export function drawKey(context, view, pane) {
   context.font = "12px system-ui, sans-serif";
   context.textBaseline = "alphabetic";

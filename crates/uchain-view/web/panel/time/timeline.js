@@ -4,7 +4,7 @@
 import { app, RATES } from "uchain/app.js";
 import { clock, countTo } from "uchain/panel/events.js";
 import { key } from "uchain/panel/keys.js";
-import { Marks } from "uchain/panel/marks.js";
+import { Marks } from "uchain/panel/time/marks.js";
 
 /** @type {Record<string, HTMLElement>} */
 const at = {};

@@ -2,12 +2,12 @@
 // The map of one flight on a canvas in device pixels: rock, then what flies over it.
 
 import { app } from "uchain/app.js";
-import { drawChain, nearestUav } from "uchain/draw/chain.js";
-import { Explored, nearestRobot } from "uchain/draw/explore.js";
-import { drawKey } from "uchain/draw/key.js";
-import { Rock } from "uchain/draw/rock.js";
-import { Touch } from "uchain/draw/touch.js";
-import { View } from "uchain/draw/view.js";
+import { drawChain, nearestUav } from "uchain/draw/map/chain.js";
+import { Explored, nearestRobot } from "uchain/draw/map/explore.js";
+import { drawKey } from "uchain/draw/map/key.js";
+import { Rock } from "uchain/draw/map/rock.js";
+import { Touch } from "uchain/draw/map/touch.js";
+import { View } from "uchain/draw/map/view.js";
 
 export class MapView {
   view = new View();

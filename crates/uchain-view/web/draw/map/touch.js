@@ -15,7 +15,7 @@ export class Touch {
   /** What another part of the page is dragging. @type {{move: (x_m: number, y_m: number) => void, up: () => void}|null} */
   #grabbed = null;
 
-  /** @param {import("uchain/draw/map.js").MapView} map */
+  /** @param {import("uchain/draw/map/map.js").MapView} map */
   constructor(map) {
     this.map = map;
     const canvas = map.canvas;

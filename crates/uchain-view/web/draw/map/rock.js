@@ -8,7 +8,7 @@ export class Rock {
   #state = "";
 
   /**
-   * @param {CanvasRenderingContext2D} context @param {import("uchain/draw/view.js").View} view
+   * @param {CanvasRenderingContext2D} context @param {import("uchain/draw/map/view.js").View} view
    * @param {{loops: number[][]}} map @param {number} ratio device pixels per CSS pixel
    */
   draw(context, view, map, ratio) {
