@@ -92,11 +92,8 @@ pub fn equalize(back_loss_db: f32, front_loss_db: f32, params: &EqualizeParams) 
     if !s_d.is_finite() {
         return 0.0;
     }
-    if params.spacing && front_loss_db < params.spacing_db {
-        return -params.spacing_mps.min(params.v_max_mps);
-    }
-    if params.spacing && back_loss_db < params.spacing_db {
-        return params.spacing_mps.min(params.v_max_mps);
+    if let Some(speed_mps) = spacing(back_loss_db, front_loss_db, params) {
+        return speed_mps;
     }
     if s_d.abs() <= params.tolerance_db {
         return 0.0;
@@ -111,6 +108,18 @@ pub fn equalize(back_loss_db: f32, front_loss_db: f32, params: &EqualizeParams) 
         SpeedLaw::BangBang => params.bang_mps.copysign(s_d),
     };
     bounded(speed_mps, -params.v_max_mps, params.v_max_mps)
+}
+
+/// The speed of backing away from a neighbour that is too near (m/s), the one toward the head first.
+pub(super) fn spacing(back_loss_db: f32, front_loss_db: f32, params: &EqualizeParams) -> Option<f32> {
+    let speed_mps = params.spacing_mps.min(params.v_max_mps);
+    if params.spacing && front_loss_db < params.spacing_db {
+        Some(-speed_mps)
+    } else if params.spacing && back_loss_db < params.spacing_db {
+        Some(speed_mps)
+    } else {
+        None
+    }
 }
 
 /// Distance at which the model of "inverse-model" has this loss (m); finite for every loss.

@@ -16,6 +16,26 @@ pub enum Override {
     BackLost,
     /// The front link is lost (`lost_s`): it hovers.
     FrontLost,
+    /// A relay is nearer to a neighbour than `equalize.spacing_db` and backs away from it before it levels anything.
+    Spacing,
+}
+
+impl Override {
+    /// All there are. Records number them in this order, so new ones come last.
+    pub const ALL: [Self; 6] =
+        [Self::NeverHeard, Self::HeadStop, Self::Retreat, Self::BackLost, Self::FrontLost, Self::Spacing];
+
+    /// In a word, for people and programs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::NeverHeard => "never-heard",
+            Self::HeadStop => "head-stop",
+            Self::Retreat => "retreat",
+            Self::BackLost => "back-lost",
+            Self::FrontLost => "front-lost",
+            Self::Spacing => "spacing",
+        }
+    }
 }
 
 /// A threshold that is left only `hysteresis_db` below where it was crossed.

@@ -1,6 +1,7 @@
 //! The chain of relays: one law per file, each with its Params, and the node that composes them.
 
 mod center;
+mod doing;
 mod equalize;
 mod explain;
 mod guard;
@@ -11,6 +12,7 @@ mod seam;
 mod takeoff;
 
 pub use center::{CenterLaw, CenterParams, Centering, Walls, center};
+pub use doing::{Doing, LaunchHold, PendingLaunch, WallSide};
 pub use equalize::{EqualizeParams, SpeedLaw, equalize};
 pub use explain::{Explanation, Stage};
 pub use guard::{HeadGuard, Override, RelayGuard};

@@ -5,7 +5,7 @@ use core::fmt::Debug;
 
 use arrayvec::ArrayVec;
 
-use super::Explanation;
+use super::{Doing, Explanation};
 
 /// Id of the base station, which is no UAV.
 pub const BASE_ID: u16 = u16::MAX;
@@ -244,6 +244,12 @@ pub trait Brain: Debug + Send {
     fn explain(&self, _seen: &Observation) -> Option<Explanation> {
         None
     }
+
+    /// What it is about after its decision on what it sees, for records; events are made of it. `None` from a law that does
+    /// not say.
+    fn doing(&self, _seen: &Observation) -> Option<Doing> {
+        None
+    }
 }
 
 /// Whichever brain.
@@ -267,6 +273,10 @@ impl<B: Brain + ?Sized> Brain for alloc::boxed::Box<B> {
 
     fn explain(&self, seen: &Observation) -> Option<Explanation> {
         (**self).explain(seen)
+    }
+
+    fn doing(&self, seen: &Observation) -> Option<Doing> {
+        (**self).doing(seen)
     }
 }
 

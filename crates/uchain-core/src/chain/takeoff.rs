@@ -1,6 +1,6 @@
 //! When the next UAV takes off (Laclau 2021, §4.3).
 
-use super::{Packet, Signal};
+use super::{LaunchHold, Packet, Signal};
 
 /// What a take-off waits for besides the threshold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -70,8 +70,7 @@ impl Takeoff {
     /// not a number launches nobody); `front`: what that UAV said last; `period_s`: the decision period (s). The hold starts with the first decision above the
     /// threshold, so that 0 launches at once.
     pub fn due(&mut self, loss_db: f32, front: &Packet, period_s: f32, params: &TakeoffParams) -> bool {
-        let level = params.launch == Launch::Threshold || front.imbalance_db <= params.converged_db;
-        let over = level && loss_db > params.s_min_db && front.flown_s >= params.after_previous_s;
+        let over = loss_db > params.s_min_db && held(front, params).is_none();
         if !over {
             self.over = 0;
             return false;
@@ -79,6 +78,17 @@ impl Takeoff {
         let due = self.over as f32 * period_s >= params.launch_hold_s;
         self.over = self.over.saturating_add(1);
         due
+    }
+}
+
+/// What a launch waits for besides the threshold, by what the UAV ahead said last.
+pub(super) fn held(front: &Packet, params: &TakeoffParams) -> Option<LaunchHold> {
+    let has_flown = front.flown_s >= params.after_previous_s;
+    let is_level = params.launch == Launch::Threshold || front.imbalance_db <= params.converged_db;
+    match (has_flown, is_level) {
+        (false, _) => Some(LaunchHold::Ahead),
+        (true, false) => Some(LaunchHold::Unlevelled),
+        (true, true) => None,
     }
 }
 

@@ -104,7 +104,7 @@ pub(super) struct Explanation {
     /// Forward speed that its law, or its pilot, wishes (m/s).
     wish_mps: f32,
     /// What its wish was overridden by, if it was.
-    overridden: Option<String>,
+    overridden: Option<&'static str>,
     /// The wall choice it flies by.
     follow: &'static str,
     /// The walls that it steers by: "both", "left", "right"; None without distances.
@@ -212,7 +212,7 @@ impl Node {
             stage: words::stage(told.stage),
             imbalance_db: told.imbalance_db,
             wish_mps: told.wish_mps,
-            overridden: told.overridden.map(words::overridden),
+            overridden: told.overridden.map(chain::Override::word),
             follow: follow(told.follow),
             walls: told.walls.map(words::walls),
             speed_share: told.speed_share,

@@ -1,7 +1,7 @@
 //! Choices as words: the ones that scenarios have for them.
 
 use pyo3::{exceptions::PyValueError, prelude::*};
-use uchain_core::chain::{Follow, Override, Role, Stage, Walls};
+use uchain_core::chain::{Follow, Role, Stage, Walls};
 use uchain_core::explore::Purpose;
 
 /// The choice of a word.
@@ -61,16 +61,4 @@ pub(super) fn purpose(purpose: Purpose) -> &'static str {
         Purpose::Park => "park",
         Purpose::Wait => "wait",
     }
-}
-
-/// What overrode a wish, in words with hyphens.
-pub(super) fn overridden(by: Override) -> String {
-    let mut word = String::new();
-    for letter in format!("{by:?}").chars() {
-        if letter.is_uppercase() && !word.is_empty() {
-            word.push('-');
-        }
-        word.extend(letter.to_lowercase());
-    }
-    word
 }

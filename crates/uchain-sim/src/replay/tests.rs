@@ -2,6 +2,8 @@ use std::collections::BTreeMap;
 
 use std::sync::Arc;
 
+use uchain_core::chain::Doing;
+
 use super::Recording;
 use crate::mission::chain::McapRecorder;
 use crate::{
@@ -49,11 +51,77 @@ fn every_frame_comes_back_as_it_was() {
     let course = course("corner", &["duration_s=40"]);
     let (file, frames) = recorded(&course, 3);
     assert!(frames.iter().any(|frame| frame.links.len() > 1), "a chain, or little is tested");
+    let doing = |of: fn(&Doing) -> bool| {
+        let mut all = frames.iter().flat_map(|frame| &frame.uavs).filter_map(|uav| uav.doing.as_ref());
+        all.any(of)
+    };
+    assert!(doing(|doing| doing.launch.is_some()) && doing(|doing| doing.overridden.is_some()));
+    assert!(doing(|doing| doing.invalid_wall().is_some()), "{}", frames.len());
     let mut recording = Recording::<_, Course>::read(file.as_slice(), "memory").unwrap();
     let mut read = All::<Frame>(Vec::new());
     recording.frames.play(&mut read).unwrap();
     assert_eq!(read.0, frames);
     assert_eq!(recording.frames.end(), Some(End::Whole));
+}
+
+fn open(file: &[u8]) -> Recording<&[u8], Course> {
+    Recording::read(file, "memory").unwrap()
+}
+
+/// Leaves out what earlier versions did not write.
+struct Earlier(McapRecorder<Vec<u8>>);
+
+impl Recorder<Frame> for Earlier {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        let mut frame = frame.clone();
+        frame.head = None;
+        frame.links.iter_mut().for_each(|link| link.silence = None);
+        frame.uavs.iter_mut().for_each(|uav| uav.doing = None);
+        self.0.frame(&frame)
+    }
+}
+
+#[test]
+fn recordings_of_versions_that_wrote_less_are_read_and_flown_again() {
+    let course = course("corner", &["duration_s=40"]);
+    let (file, frames) = recorded(&course, 3);
+    let mut earlier = Earlier(McapRecorder::start(Vec::new(), &course, 3).unwrap());
+    run(&course, 3, &mut earlier).unwrap();
+    let earlier = earlier.0.finish().unwrap();
+    assert!(earlier.len() < file.len(), "less is in it");
+    let mut recording = Recording::<_, Course>::read(earlier.as_slice(), "memory").unwrap();
+    let mut read = All::<Frame>(Vec::new());
+    recording.frames.play(&mut read).unwrap();
+    assert_eq!(read.0.len(), frames.len());
+    assert!(read.0.iter().flat_map(|frame| &frame.uavs).all(|uav| uav.doing.is_none()));
+    assert!(replay::verify(&mut open(&earlier)).unwrap().agrees());
+    let compared = replay::diff(&mut open(&file).frames, &mut open(&earlier).frames).unwrap();
+    assert!(compared.first.is_none(), "{compared:?}");
+}
+
+/// Has one UAV steer by another wall at one decision.
+struct OtherWall(McapRecorder<Vec<u8>>);
+
+impl Recorder<Frame> for OtherWall {
+    fn frame(&mut self, frame: &Frame) -> Result<(), RecordError> {
+        let mut frame = frame.clone();
+        if let (777, Some(doing)) = (frame.tick, &mut frame.uavs[0].doing) {
+            doing.walls = None;
+        }
+        self.0.frame(&frame)
+    }
+}
+
+#[test]
+fn verify_finds_a_decision_with_another_wall() {
+    let course = course("corner", &["duration_s=40"]);
+    let mut other = OtherWall(McapRecorder::start(Vec::new(), &course, 1).unwrap());
+    run(&course, 1, &mut other).unwrap();
+    let file = other.0.finish().unwrap();
+    let verdict =
+        replay::verify(&mut Recording::<_, Course>::read(file.as_slice(), "memory").unwrap()).unwrap();
+    let first = verdict.first.unwrap().to_string();
+    assert!(first.starts_with("tick 777 (38.85 s), UAV 0, doing.walls: none and "), "{first}");
 }
 
 #[test]

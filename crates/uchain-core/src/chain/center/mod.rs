@@ -4,7 +4,7 @@ mod firmware;
 mod paper;
 mod wall;
 
-use super::{Follow, Tof};
+use super::{Follow, Tof, WallSide};
 use crate::bounded;
 
 /// Whose centering.
@@ -146,14 +146,43 @@ pub enum Walls {
 /// assert_eq!(asked.yaw_rate_radps, 0.0); // aligned already
 /// ```
 pub fn center(tof: &Tof, range_m: f32, backward: bool, follow: Follow, params: &CenterParams) -> Centering {
+    center_by(tof, range_m, backward, follow, params).0
+}
+
+/// What made [`center`] ask for what it asks.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct SteeredBy {
+    /// The walls of the law; `None` if it steers by none.
+    pub(super) walls: Option<Walls>,
+    /// The wall it is pushed away from, whatever the law says.
+    pub(super) pushed_by: Option<WallSide>,
+}
+
+/// [`center`], with what made it ask for that.
+pub(super) fn center_by(
+    tof: &Tof,
+    range_m: f32,
+    backward: bool,
+    follow: Follow,
+    params: &CenterParams,
+) -> (Centering, SteeredBy) {
     let beams = beams_of(tof, range_m);
     let [nw, ne, sw, se] = beams;
     let (lead_left, lead_right) = if backward { (sw, se) } else { (nw, ne) };
 
-    let (lateral, yaw_rate) = match params.law {
-        CenterLaw::Wall => wall::steer(beams, backward, follow, params),
-        CenterLaw::Paper => paper::steer(beams, backward, follow, params),
-        CenterLaw::Firmware => firmware::steer(beams, range_m, follow, params),
+    let (walls, (lateral, yaw_rate)) = match params.law {
+        CenterLaw::Wall => {
+            let walls = wall::walls(beams, backward, follow, params);
+            (Some(walls), wall::along(walls, beams, backward, params))
+        }
+        CenterLaw::Paper => {
+            let walls = paper::walls(beams, follow, params);
+            (Some(walls), paper::along(walls, beams, backward, params))
+        }
+        CenterLaw::Firmware => {
+            let walls = firmware::walls(beams, range_m, follow, params);
+            (walls, firmware::steer(beams, range_m, follow, params))
+        }
     };
     let lateral_mps = bounded(lateral, -params.lateral_max_mps, params.lateral_max_mps);
     let yaw_rate_radps = bounded(yaw_rate, -params.yaw_rate_max_radps, params.yaw_rate_max_radps);
@@ -161,8 +190,13 @@ pub fn center(tof: &Tof, range_m: f32, backward: bool, follow: Follow, params: &
     let nearest_ahead = lead_left.min(lead_right);
     let speed_share =
         bounded((nearest_ahead - params.slow_from_m) / params.slow_over_m, params.slow_floor, 1.0);
-    let pushed_mps = push(nw.min(sw), ne.min(se), params);
-    Centering { lateral_mps: pushed_mps.unwrap_or(lateral_mps), yaw_rate_radps, speed_share }
+    let pushed_by = push(nw.min(sw), ne.min(se), params);
+    let lateral_mps = match pushed_by {
+        None => lateral_mps,
+        Some(WallSide::Left) => -params.push_mps,
+        Some(WallSide::Right) => params.push_mps,
+    };
+    (Centering { lateral_mps, yaw_rate_radps, speed_share }, SteeredBy { walls, pushed_by })
 }
 
 /// Front left, front right, rear left, rear right (m).
@@ -187,11 +221,11 @@ pub(super) fn walls_of(
     }
 }
 
-/// The lateral speed that replaces the law's where a beam on one side, and none on the other, is too short.
-fn push(left_m: f32, right_m: f32, params: &CenterParams) -> Option<f32> {
+/// The wall to be pushed away from: where a beam on one side, and none on the other, is too short.
+fn push(left_m: f32, right_m: f32, params: &CenterParams) -> Option<WallSide> {
     match (left_m < params.push_below_m, right_m < params.push_below_m) {
-        (true, false) => Some(-params.push_mps),
-        (false, true) => Some(params.push_mps),
+        (true, false) => Some(WallSide::Left),
+        (false, true) => Some(WallSide::Right),
         _ => None,
     }
 }

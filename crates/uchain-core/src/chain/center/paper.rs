@@ -4,12 +4,8 @@ use nalgebra::{Matrix2x4, Vector2, Vector4};
 
 use super::{CenterParams, Follow, Walls};
 
-/// Lateral speed (m/s) and yaw rate (rad/s) before their limits, of the beams (NW, NE, SW, SE) (m).
-pub(super) fn steer(beams: [f32; 4], backward: bool, follow: Follow, params: &CenterParams) -> (f32, f32) {
-    along(walls(beams, follow, params), beams, backward, params)
-}
-
-/// Eq. 20 between both walls, Eq. 21 along one.
+/// Lateral speed (m/s) and yaw rate (rad/s) before their limits, of the beams (NW, NE, SW, SE) (m): Eq. 20 between both
+/// walls, Eq. 21 along one.
 pub(super) fn along(walls: Walls, beams: [f32; 4], backward: bool, params: &CenterParams) -> (f32, f32) {
     let (law, aim) = map(walls, backward, params);
     let wish = law * Vector4::from(beams) - aim;

@@ -36,14 +36,14 @@ impl Side {
     }
 }
 
-/// Lateral speed (m/s) and yaw rate (rad/s) before their limits, of the beams (NW, NE, SW, SE) (m).
-pub(super) fn steer(beams: [f32; 4], backward: bool, follow: Follow, params: &CenterParams) -> (f32, f32) {
+/// Lateral speed (m/s) and yaw rate (rad/s) before their limits, by these walls, of the beams (NW, NE, SW, SE) (m).
+pub(super) fn along(walls: Walls, beams: [f32; 4], backward: bool, params: &CenterParams) -> (f32, f32) {
     let [left, right] = sides(beams);
-    match chosen(left, right, backward, follow, params) {
+    match walls {
         Walls::Both => paper::along(Walls::Both, beams, backward, params),
-        Walls::Left => along(left, right, params),
+        Walls::Left => toward(left, right, params),
         Walls::Right => {
-            let (lateral_mps, yaw_rate_radps) = along(right, left, params);
+            let (lateral_mps, yaw_rate_radps) = toward(right, left, params);
             (-lateral_mps, -yaw_rate_radps)
         }
     }
@@ -79,7 +79,7 @@ fn chosen(left: Side, right: Side, backward: bool, follow: Follow, params: &Cent
 
 /// Lateral speed toward a wall (m/s) and turn toward it (rad/s) that keep along it: in the middle, where the other wall
 /// is near, and no farther than the largest distance.
-fn along(wall: Side, other: Side, params: &CenterParams) -> (f32, f32) {
+fn toward(wall: Side, other: Side, params: &CenterParams) -> (f32, f32) {
     let wall_m = wall.nearest_m();
     let keep_m = (0.5 * (wall_m + other.nearest_m())).min(params.follow_distance_m);
     let max_mps = params.follow_lateral_max_mps;

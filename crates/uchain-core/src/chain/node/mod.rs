@@ -8,7 +8,8 @@ mod tests;
 use super::{
     CenterParams, Centering, Command, End, EqualizeParams, Follow, HeadGuard, KalmanParams, LinkEnd,
     LinkEstimate, LinkParams, Observation, Packet, RadioSlot, RelayGuard, Signal, TOF_RANGE_M, Takeoff,
-    TakeoffParams, center,
+    TakeoffParams,
+    center::{SteeredBy, center_by},
 };
 use crate::bounded;
 
@@ -80,6 +81,8 @@ pub struct Node {
     head_guard: HeadGuard,
     relay_guard: RelayGuard,
     centering: Centering,
+    /// What made its centering ask for that.
+    steered_by: SteeredBy,
     /// Whether a relay's speed is still to come: [`Node::conclude`] brings it.
     is_asking: bool,
     /// What a relay's law wished the last time.
@@ -118,6 +121,7 @@ impl Node {
             head_guard: HeadGuard::default(),
             relay_guard: RelayGuard::default(),
             centering: Centering::default(),
+            steered_by: SteeredBy::default(),
             is_asking: false,
             wish_mps: 0.0,
             forward_mps: 0.0,
@@ -209,7 +213,9 @@ impl Node {
             self.forward_mps = bounded(allowed_mps, -p.equalize.v_max_mps, p.equalize.v_max_mps);
         }
         if let Some(tof) = &seen.tof {
-            self.centering = center(tof, p.tof_range_m, self.forward_mps < 0.0, self.follow, &p.center);
+            let backward = self.forward_mps < 0.0;
+            (self.centering, self.steered_by) =
+                center_by(tof, p.tof_range_m, backward, self.follow, &p.center);
         }
         self.command()
     }

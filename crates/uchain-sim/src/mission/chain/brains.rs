@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use uchain_core::chain::{
-    BASE_ID, Command, End, Explanation, HEARD_MAX, Heard, LinkEnd, Observation, Packet, equalize,
+    BASE_ID, Command, Doing, End, Explanation, HEARD_MAX, Heard, LinkEnd, Observation, Packet, equalize,
 };
 
 use crate::{
     clock::time_s,
-    mission::chain::{Asked, Course, Law, Leveller, LinkFrame, Members, Scenario, Silence},
+    mission::chain::{Asked, Course, Law, Leveller, LinkFrame, Member, Members, Scenario, Silence},
     radio::{Antenna, Channel, Link, Side, channel},
     seed::Seed,
     world::World,
@@ -290,5 +290,15 @@ impl<B: Law> Brains<B> {
     /// What a UAV believes and why it asks for what it asks; `None` if there is none of this id, or its law does not say.
     pub(super) fn explain(&self, uav: usize, seen: &[Observation]) -> Option<Explanation> {
         self.nodes.get(uav)?.explain(seen.get(uav)?)
+    }
+
+    /// What a UAV is about after its decision; `None` if it has failed, or its law does not say.
+    pub(super) fn doing(&self, uav: usize, seen: &Observation) -> Option<Doing> {
+        if self.members.member(uav) == Some(Member::Failed) {
+            return None;
+        }
+        // A recording has no other word for a loss that is none.
+        let doing = self.nodes.get(uav)?.doing(seen)?;
+        Some(Doing { launch: doing.launch.filter(|launch| launch.loss_db.is_finite()), ..doing })
     }
 }

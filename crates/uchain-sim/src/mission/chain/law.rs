@@ -3,7 +3,7 @@
 use std::{fmt, ops::ControlFlow, sync::Arc};
 
 use uchain_core::chain::{
-    Brain, Command, Estimates, Explanation, Levelling, Node, NodeParams, Observation, Packet, Role,
+    Brain, Command, Doing, Estimates, Explanation, Levelling, Node, NodeParams, Observation, Packet, Role,
 };
 
 use super::Course;
@@ -180,6 +180,13 @@ impl Brain for AnyBrain {
         match self {
             Self::Node(node) => node.explain(seen),
             Self::Own(own) => own.explain(seen),
+        }
+    }
+
+    fn doing(&self, seen: &Observation) -> Option<Doing> {
+        match self {
+            Self::Node(node) => node.doing(seen),
+            Self::Own(own) => own.doing(seen),
         }
     }
 }

@@ -369,7 +369,9 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
         frame.decision = decision;
         frame.input = self.steering.anew();
         frame.uavs.clear();
-        frame.uavs.extend(self.world.bodies().iter().zip(&self.seen).map(|(body, seen)| UavFrame {
+        let doing = |uav, seen| decision.then(|| self.brains.doing(uav, seen)).flatten();
+        let bodies = self.world.bodies().iter().zip(&self.seen).enumerate();
+        frame.uavs.extend(bodies.map(|(uav, (body, seen))| UavFrame {
             x_m: body.at.x,
             y_m: body.at.y,
             heading_rad: body.heading_rad(),
@@ -380,6 +382,7 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
             wall_contacts: body.wall_contacts,
             uav_contacts: body.uav_contacts,
             tof: seen.tof,
+            doing: doing(uav, seen),
         }));
         let head = self.brains.members.leader();
         frame.leader = head.unwrap_or(0);

@@ -28,8 +28,16 @@ impl Events {
             if now.holds && was.is_none_or(|was| !was.holds) {
                 say(Gravity::Info, "holds", "holds for another robot");
             }
+            if was.is_some_and(|was| was.holds && !now.holds) {
+                say(Gravity::Info, "hold-ends", "holds no longer");
+            }
             if now.mfl && was.is_none_or(|was| was.level != now.level || !was.mfl) {
                 say(Gravity::Info, "keeps-clear", &format!("keeps clear on level {}", now.level));
+            }
+            if was.is_some_and(|was| was.mfl && !now.mfl) {
+                say(Gravity::Info, "keeps-clear-ends", &format!("is on its usual level {} again", now.level));
+            } else if was.is_some_and(|was| was.level != now.level && !now.mfl) {
+                say(Gravity::Info, "level", &format!("changes to level {}", now.level));
             }
             if now.wall_contacts > was.map_or(0, |was| was.wall_contacts) {
                 say(Gravity::Warning, "wall-contact", "touched a wall");

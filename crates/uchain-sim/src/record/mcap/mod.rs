@@ -15,7 +15,7 @@
 //! | `/tof/uav_0`, … | `foxglove.LaserScan`, the four beams |
 //! | `/hits` | `foxglove.PointCloud`, where beams ended |
 //! | `/map`, `/uavs`, `/links` | `foxglove.SceneUpdate`: walls and base once; bodies at every change; links, coloured by loss |
-//! | `/log` | `foxglove.Log`: take-offs, failures, contacts, links lost and found |
+//! | `/log` | `foxglove.Log`: take-offs, failures, contacts, links lost and found, overrides, invalid walls, launches |
 //!
 //! Of an exploration:
 //!

@@ -71,8 +71,8 @@ mod tests {
         let set = FileDescriptorSet::decode(descriptors(FILE, PROTO).as_slice()).unwrap();
         let counts: Vec<(&str, usize)> =
             set.file[0].message_type.iter().map(|message| (message.name(), message.field.len())).collect();
-        assert_eq!(counts, [("Frame", 19), ("Metrics", 7), ("ExploreFrame", 29), ("ExploreMetrics", 8)]);
+        assert_eq!(counts, [("Frame", 25), ("Metrics", 7), ("ExploreFrame", 29), ("ExploreMetrics", 8)]);
         let written = PROTO.lines().filter(|line| line.starts_with("  ") && line.contains(" = ")).count();
-        assert_eq!(written, 19 + 7 + 29 + 8);
+        assert_eq!(written, 25 + 7 + 29 + 8);
     }
 }

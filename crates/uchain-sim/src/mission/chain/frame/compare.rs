@@ -1,6 +1,6 @@
 //! Frames of a chain, field by field.
 
-use uchain_core::chain::PilotInput;
+use uchain_core::chain::{Doing, LaunchHold, PendingLaunch, PilotInput};
 
 use super::{Frame, HeadFrame, LinkFrame, Silence, UavFrame};
 use crate::record::{Difference, FieldDiff, Value, Whose};
@@ -21,6 +21,9 @@ pub(crate) fn differences(frame: &Frame, there: &Frame, found: &mut dyn FnMut(Di
     }
     for (i, (a, b)) in frame.uavs.iter().zip(&there.uavs).enumerate() {
         look.at(Whose::One("UAV", i as u64), uav(a), uav(b));
+        if let (Some(here), Some(there)) = (a.doing, b.doing) {
+            look.at(Whose::One("UAV", i as u64), doing(here), doing(there));
+        }
     }
     for (a, b) in frame.links.iter().zip(&there.links) {
         look.at(Whose::One("link of UAV", a.uav as u64), link(a), link(b));
@@ -76,6 +79,20 @@ fn uav(uav: &UavFrame) -> [(&'static str, Value); 13] {
         ("tof.ne_m", tof.map(|tof| tof.ne_m).into()),
         ("tof.sw_m", tof.map(|tof| tof.sw_m).into()),
         ("tof.se_m", tof.map(|tof| tof.se_m).into()),
+    ]
+}
+
+/// Choices by their numbers, as in `input`.
+fn doing(doing: Doing) -> [(&'static str, Value); 6] {
+    let count = |number: Option<u64>| number.map_or(Value::Absent, Value::Count);
+    let held = |launch: PendingLaunch| launch.held.map(|held: LaunchHold| held as u64);
+    [
+        ("doing.overridden", count(doing.overridden.map(|by| by as u64))),
+        ("doing.follow", Value::Count(doing.follow as u64)),
+        ("doing.walls", count(doing.walls.map(|walls| walls as u64))),
+        ("doing.pushed_by", count(doing.pushed_by.map(|side| side as u64))),
+        ("doing.launch_db", doing.launch.map(|launch| launch.loss_db).into()),
+        ("doing.launch_held", count(doing.launch.and_then(held))),
     ]
 }
 

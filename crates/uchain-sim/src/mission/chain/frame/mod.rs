@@ -3,7 +3,7 @@
 mod compare;
 mod moment;
 
-use uchain_core::chain::{PilotInput, Tof};
+use uchain_core::chain::{Doing, PilotInput, Tof};
 
 use crate::{
     clock,
@@ -37,6 +37,10 @@ pub struct UavFrame {
     /// What its ToF sensors read at the start of the tick; `None` at ticks between two readings and on the ground.
     /// Not part of the digest: it shows in what the UAV does.
     pub tof: Option<Tof>,
+    /// What it is about after its decision: overrides, walls, a launch. `None` between decisions, of a law that does not say
+    /// and of a UAV that has failed, and in recordings of versions that did not write it. Not part of the digest: it shows
+    /// in what the UAV does.
+    pub doing: Option<Doing>,
 }
 
 /// One link of the flying chain, from a UAV to the next one in the air toward the base, or to the base.
@@ -211,6 +215,7 @@ mod tests {
             wall_contacts: 0,
             uav_contacts: 0,
             tof: None,
+            doing: None,
         };
         let of = |x_m| {
             let mut digest = Digest::default();

@@ -3,11 +3,14 @@
 use prost::Message as _;
 use uchain_core::chain::Tof;
 
-use super::input::{INPUT, InputMessage};
+use super::{
+    doing::{DoingCodes, codes, decoded},
+    input::{INPUT, InputMessage},
+};
 use crate::record::mcap::{Described, Recordable, alike, bounded, few, set};
 use crate::{
     map::FARTHEST_M,
-    mission::chain::{Frame, HeadFrame, LinkFrame, Moment, Silence, UAVS_MAX, UavFrame},
+    mission::chain::{Frame, HeadFrame, LinkFrame, Silence, UAVS_MAX, UavFrame},
 };
 
 /// `uchain.Frame`. Stands for one frame after the other, so that its lists are allocated once.
@@ -51,39 +54,18 @@ pub struct FrameMessage {
     link_silent_s: Vec<f32>,
     #[prost(float, repeated, tag = "19")]
     head_mps: Vec<f32>,
-}
-
-/// `uchain.Metrics`.
-#[derive(Clone, Copy, PartialEq, prost::Message)]
-pub(super) struct MetricsMessage {
-    #[prost(uint32, tag = "1")]
-    uavs: u32,
-    #[prost(float, tag = "2")]
-    head_reach_m: f32,
-    #[prost(float, tag = "3")]
-    worst_link_db: f32,
-    #[prost(float, tag = "4")]
-    spread_db: f32,
-    #[prost(bool, tag = "5")]
-    connected: bool,
-    #[prost(uint32, tag = "6")]
-    wall_contacts: u32,
-    #[prost(uint32, tag = "7")]
-    uav_contacts: u32,
-}
-
-impl From<Moment> for MetricsMessage {
-    fn from(moment: Moment) -> Self {
-        Self {
-            uavs: moment.uavs as u32,
-            head_reach_m: moment.head_reach_m,
-            worst_link_db: moment.worst_link_db.unwrap_or(f32::NAN),
-            spread_db: moment.spread_db.unwrap_or(f32::NAN),
-            connected: moment.connected.unwrap_or_default(),
-            wall_contacts: moment.wall_contacts,
-            uav_contacts: moment.uav_contacts,
-        }
-    }
+    #[prost(uint32, repeated, tag = "20")]
+    overridden: Vec<u32>,
+    #[prost(uint32, repeated, tag = "21")]
+    follow: Vec<u32>,
+    #[prost(uint32, repeated, tag = "22")]
+    walls: Vec<u32>,
+    #[prost(uint32, repeated, tag = "23")]
+    pushed_by: Vec<u32>,
+    #[prost(uint32, repeated, tag = "24")]
+    launch: Vec<u32>,
+    #[prost(float, repeated, tag = "25")]
+    launch_db: Vec<f32>,
 }
 
 impl FrameMessage {
@@ -114,6 +96,18 @@ impl FrameMessage {
         set(&mut self.link_silent_s, links.iter().filter_map(|link| link.silence).flat_map(ends));
         let speeds = |head: &HeadFrame| [head.pilot_mps, head.allowed_mps, head.asked_mps];
         set(&mut self.head_mps, head.iter().flat_map(speeds));
+        self.fill_doing(uavs);
+    }
+
+    /// Empty lists where nobody says what it is about.
+    fn fill_doing(&mut self, uavs: &[UavFrame]) {
+        let said = if uavs.iter().any(|uav| uav.doing.is_some()) { uavs } else { &[] };
+        set(&mut self.overridden, said.iter().map(|uav| codes(uav.doing).overridden));
+        set(&mut self.follow, said.iter().map(|uav| codes(uav.doing).follow));
+        set(&mut self.walls, said.iter().map(|uav| codes(uav.doing).walls));
+        set(&mut self.pushed_by, said.iter().map(|uav| codes(uav.doing).pushed_by));
+        set(&mut self.launch, said.iter().map(|uav| codes(uav.doing).launch));
+        set(&mut self.launch_db, said.iter().map(|uav| codes(uav.doing).launch_db));
     }
 
     fn pour(&self, frame: &mut Frame) -> Result<(), String> {
@@ -121,6 +115,9 @@ impl FrameMessage {
         (frame.tick, frame.decision, frame.head_reach_m) = (self.tick, self.decision, self.head_reach_m);
         set(&mut frame.uavs, (0..self.x_m.len()).map_while(|i| self.uav(i)));
         let uavs = frame.uavs.len();
+        for (i, uav) in frame.uavs.iter_mut().enumerate() {
+            uav.doing = self.doing(i).map(decoded).transpose()?.flatten();
+        }
         if frame.leader != 0 && frame.leader >= uavs {
             return Err(format!("leader = {}: expected one of {uavs} UAVs", frame.leader));
         }
@@ -149,6 +146,19 @@ impl FrameMessage {
             wall_contacts: *self.wall_contacts.get(i)?,
             uav_contacts: *self.uav_contacts.get(i)?,
             tof,
+            doing: None,
+        })
+    }
+
+    /// Nothing where nobody said, and in recordings of versions that did not write it.
+    fn doing(&self, i: usize) -> Option<DoingCodes> {
+        Some(DoingCodes {
+            overridden: *self.overridden.get(i)?,
+            follow: *self.follow.get(i)?,
+            walls: *self.walls.get(i)?,
+            pushed_by: *self.pushed_by.get(i)?,
+            launch: *self.launch.get(i)?,
+            launch_db: *self.launch_db.get(i)?,
         })
     }
 
@@ -213,6 +223,17 @@ impl FrameMessage {
         if !self.head_mps.is_empty() {
             alike(3, "the head", &[("head_mps", self.head_mps.len())])?;
         }
+        if !self.overridden.is_empty() {
+            alike(uavs, "x_m", &[("overridden", self.overridden.len())])?;
+        }
+        let lengths = [
+            ("follow", self.follow.len()),
+            ("walls", self.walls.len()),
+            ("pushed_by", self.pushed_by.len()),
+            ("launch", self.launch.len()),
+            ("launch_db", self.launch_db.len()),
+        ];
+        alike(self.overridden.len(), "overridden", &lengths)?;
         if let Some(uav) = self.link_uav.iter().find(|uav| **uav as usize >= uavs) {
             return Err(format!("link_uav = {uav}: expected one of {uavs} UAVs"));
         }
@@ -240,6 +261,7 @@ impl FrameMessage {
             ("link_filtered_db", &self.link_filtered_db),
             ("link_raw_db", &self.link_raw_db),
             ("link_silent_s", &self.link_silent_s),
+            ("launch_db", &self.launch_db),
         ] {
             if let Some(value) = list.iter().find(|value| value.abs() > most) {
                 return Err(format!("{name} = {value}: expected a number within ±{most}"));

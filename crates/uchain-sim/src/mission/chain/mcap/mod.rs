@@ -1,7 +1,9 @@
 //! Recordings of a chain.
 
+mod doing;
 mod input;
 mod message;
+mod metrics;
 mod poses;
 mod scans;
 mod scene;
@@ -18,7 +20,7 @@ use crate::{
         mcap::{self, Channel, Out, SHOWN_TICKS, Topics, scene as shared},
     },
 };
-use message::MetricsMessage;
+use metrics::MetricsMessage;
 use poses::{Poses, Transforms};
 use scans::Scans;
 use scene::{Bodies, Links};

@@ -28,6 +28,7 @@ fn flight(course: &Course, seconds: u64) -> (History, Summary) {
             wall_contacts: 0,
             uav_contacts: 0,
             tof: None,
+            doing: None,
         };
         let link = |i: usize| LinkFrame {
             uav: i,

@@ -1,12 +1,17 @@
 //! What happened in a chain, in words.
 
+mod about;
+mod steady;
+
 use super::{Course, Frame, UavFrame};
 use crate::record::{Event, Gravity};
+use about::{About, Limits};
 
 /// Tells from one frame to the next what has happened.
 #[derive(Debug)]
 pub(super) struct Events {
     limit_db: f32,
+    limits: Limits,
     uavs: Vec<Known>,
     said: Vec<Event>,
 }
@@ -19,12 +24,18 @@ struct Known {
     uav_contacts: u32,
     /// Its link toward the base is at or beyond the reception limit.
     lost: bool,
+    about: About,
 }
 
 impl Events {
     pub(super) fn new(course: &Course) -> Self {
         let uavs = vec![Known::default(); course.spawns.len()];
-        Self { limit_db: course.scenario.packets.limit_db, uavs, said: Vec::new() }
+        Self {
+            limit_db: course.scenario.packets.limit_db,
+            limits: Limits::of(course),
+            uavs,
+            said: Vec::new(),
+        }
     }
 
     /// What has happened since the last frame.
@@ -35,6 +46,11 @@ impl Events {
         }
         if !frame.decision {
             return &self.said;
+        }
+        for (index, (uav, now)) in self.uavs.iter_mut().zip(&frame.uavs).enumerate() {
+            let said = &mut self.said;
+            let say = |gravity, kind, words: &str| said.push(event(frame.tick, index, gravity, kind, words));
+            uav.about.look(index, now, frame, &self.limits, say);
         }
         for link in &frame.links {
             let Some(uav) = self.uavs.get_mut(link.uav) else { continue };
@@ -78,6 +94,9 @@ impl Known {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
 
 fn event(tick: u64, uav: usize, gravity: Gravity, kind: &'static str, words: &str) -> Event {
     let name = if uav == 0 { "UAV 0, the head".to_owned() } else { format!("UAV {uav}") };
