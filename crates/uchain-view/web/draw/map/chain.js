@@ -49,6 +49,10 @@ export function drawChain(context, view, pane) {
   }
   for (const link of frame.links) drawLink(context, view, frame, scene, link);
   places(context, view, pane);
+  context.font = "600 11px system-ui, sans-serif";
+  for (const uav of frame.uavs) {
+    if (uav.airborne && uav.doing?.overridden) label(context, uav.doing.overridden, view.px(uav.x_m), view.py(uav.y_m) + size + 17, view);
+  }
   for (let id = frame.uavs.length - 1; id >= 0; id -= 1) {
     if (frame.uavs[id].airborne) drawDisc(context, view.px(frame.uavs[id].x_m), view.py(frame.uavs[id].y_m), frame.uavs[id].heading_rad, id, size);
   }

@@ -3,6 +3,8 @@
 
 /** Least and greatest scale (pixels per metre). */
 const SCALE = [0.2, 4000];
+/** Room below the map for its key (pixels). */
+const KEY_PX = 50;
 
 export class View {
   /** Pixels per metre (CSS pixels). */
@@ -32,10 +34,11 @@ export class View {
     this.bounds = bounds;
     const [x0, y0, x1, y1] = bounds;
     const margin = Math.min(28, this.width / 10, this.height / 10);
-    const fits = Math.min((this.width - 2 * margin) / Math.max(1e-3, x1 - x0), (this.height - 2 * margin) / Math.max(1e-3, y1 - y0));
+    const below = Math.min(KEY_PX, this.height / 6);
+    const fits = Math.min((this.width - 2 * margin) / Math.max(1e-3, x1 - x0), (this.height - margin - below) / Math.max(1e-3, y1 - y0));
     this.scale = Math.min(SCALE[1], Math.max(SCALE[0], fits));
     this.x_m = (x0 + x1) / 2;
-    this.y_m = (y0 + y1) / 2;
+    this.y_m = (y0 + y1) / 2 - (below - margin) / 2 / this.scale;
     this.fitted = true;
     this.version += 1;
   }

@@ -7,7 +7,10 @@ import { palette } from "uchain/draw/colours.js";
 export function niceStep(span, count) {
   const rough = Math.max(1e-9, span) / Math.max(1, count);
   const power = 10 ** Math.floor(Math.log10(rough));
-  return power * ([1, 2, 5, 10].find((step) => step * power >= rough) ?? 10);
+  const step = power * ([1, 2, 5, 10].find((step) => step * power >= rough) ?? 10);
+  // Two lines at least, wherever they fall.
+  if (span / step >= 2) return step;
+  return Math.round(step / power) === 2 ? step / 2 : step / 2.5;
 }
 
 export class Box {

@@ -2,16 +2,20 @@
 // What happened, as marks on the time line: rows by kind, near ones together; words on hover and focus, a press goes there.
 
 import { app } from "uchain/app.js";
+import { uavInk } from "uchain/draw/colours.js";
 import { clock } from "uchain/panel/events.js";
+import { drawBars, spansOf } from "uchain/panel/time/spans.js";
 
-/** Rows of the time line, top to bottom: which kinds of events, and how they look. */
+/** Rows of the time line, top to bottom: which kinds of events. */
 const ROWS = [
-  { words: "launches", kinds: /took-off|launch|failed|purpose|^over$/ },
+  { words: "launches", kinds: /took-off|launch|failed|purpose|^over$|^level$/ },
   { words: "links", kinds: /link/ },
   { words: "contacts", kinds: /contact|level-pass/ },
   { words: "overrides", kinds: /./ },
 ];
 const EXPLORING = ["purposes", "", "contacts", "holds"];
+/** Kinds that only end what another began: a bar says so, and no mark. */
+const ENDS = /-ends$|^wall-valid$|^link-found$|^launch-disarmed$/;
 
 /** Events nearer than this are one mark (pixels). */
 const NEAR_PX = 13;
@@ -24,6 +28,7 @@ const TOLD = 6;
 export function lookOf(event) {
   const row = ROWS.findIndex(({ kinds }) => kinds.test(event.kind));
   if (/failed|link-lost/.test(event.kind)) return { row, sign: "✕" };
+  if (/^launch-/.test(event.kind)) return { row, sign: "△" };
   return { row, sign: ["▲", "●", "◆", "■"][row] };
 }
 
@@ -41,9 +46,12 @@ export class Marks {
     this.names.className = "rows";
     this.box = document.createElement("div");
     this.box.className = "marks";
+    this.bars = document.createElement("canvas");
+    this.bars.className = "bars";
+    this.bars.setAttribute("aria-hidden", "true");
     this.box.setAttribute("role", "toolbar");
     this.box.setAttribute("aria-label", "What happened; arrows go from mark to mark");
-    track.append(this.names, this.box);
+    track.append(this.names, this.bars, this.box);
     // Asked for once: to ask in every frame makes the browser lay out the page in every frame.
     new ResizeObserver(([entry]) => (this.#width = Math.round(entry.contentRect.width))).observe(this.box);
     this.box.addEventListener("keydown", (event) => this.#walk(event));
@@ -58,12 +66,14 @@ export class Marks {
     const pane = app.panes[0];
     const width = this.#width;
     if (!pane || width < 20) return;
-    const state = `${pane.version} ${pane.events.length} ${width} ${app.end} ${pane.scene.label} ${pane.events.at(-1)?.text}`;
+    const theme = document.documentElement.dataset.theme;
+    const state = `${pane.version} ${pane.events.length} ${width} ${app.end} ${pane.scene.label} ${pane.events.at(-1)?.text} ${theme}`;
     const now = performance.now();
     if (state === this.#made || (now < this.#made_ms + EVERY_MS && !pane.stopped)) return;
     if (this.box.contains(document.activeElement) && !pane.stopped) return;
     [this.#made, this.#made_ms] = [state, now];
     this.#rows(pane);
+    drawBars(this.bars, spansOf(pane.events, app.edge), width);
     this.box.replaceChildren(...gather(pane.events, width).map((mark, i) => this.#button(mark, i === 0)));
   }
 
@@ -89,6 +99,7 @@ export class Marks {
     button.style.top = `${mark.row * 25}%`;
     const shown = mark.events.find((event) => event.gravity === gravest);
     button.textContent = lookOf(shown).sign;
+    if (gravest === "info" && shown.uav !== null) button.style.color = uavInk(shown.uav);
     button.tabIndex = first ? 0 : -1;
     button.setAttribute("aria-label", wordsOf(mark).replaceAll("\n", ". "));
     button.addEventListener("click", () => {
@@ -141,6 +152,7 @@ function gather(events, width) {
   /** @type {(Mark|undefined)[]} */
   const last = [];
   for (const event of events) {
+    if (ENDS.test(event.kind)) continue;
     const x = (event.tick / Math.max(1, app.end)) * width;
     const { row } = lookOf(event);
     const open = last[row];

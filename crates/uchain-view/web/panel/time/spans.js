@@ -1,0 +1,61 @@
+// @ts-check
+// What lasts: overrides, walls left out, lost links, launches that are armed or held, as bars in the UAV's colour.
+
+import { app } from "uchain/app.js";
+import { uavColour } from "uchain/draw/colours.js";
+
+/** What begins, what ends it, and the row of the time line it is in. */
+const PAIRS = [
+  { begins: /^launch-(armed|held)$/, ends: /^(launch-disarmed|took-off)$/, row: 0 },
+  { begins: /^link-lost$/, ends: /^link-found$/, row: 1 },
+  { begins: /^override-begins$/, ends: /^override-ends$/, row: 3 },
+  { begins: /^wall-invalid$/, ends: /^wall-valid$/, row: 3 },
+  { begins: /^holds$/, ends: /^hold-ends$/, row: 3 },
+  { begins: /^keeps-clear$/, ends: /^keeps-clear-ends$/, row: 3 },
+];
+/** Heights of a row and of a bar in it (pixels); bars of a row lie in so many lanes. */
+const [ROW_PX, BAR_PX, LANES] = [14, 3, 4];
+
+/** @typedef {{from: number, to: number, row: number, uav: number}} Span */
+
+/** What an override is called: the word in brackets. @param {string} text */
+function wordOf(text) {
+  return /\(([a-z-]+)\)/.exec(text)?.[1] ?? "";
+}
+
+/** What began and ended, in ticks; what has not ended yet goes on to `edge`. @param {any[]} events @param {number} edge @returns {Span[]} */
+export function spansOf(events, edge) {
+  const spans = [];
+  /** @type {Map<string, Span>} */
+  const open = new Map();
+  for (const { kind, uav, tick, text } of events) {
+    PAIRS.forEach(({ begins, ends, row }, i) => {
+      const name = `${i} ${uav} ${row === 3 ? wordOf(text) : ""}`;
+      const begun = open.get(name);
+      if (ends.test(kind) && begun) {
+        begun.to = tick;
+        open.delete(name);
+      } else if (begins.test(kind) && !begun) {
+        const span = { from: tick, to: edge, row, uav: uav ?? 0 };
+        open.set(name, span);
+        spans.push(span);
+      }
+    });
+  }
+  return spans;
+}
+
+/** @param {HTMLCanvasElement} canvas @param {Span[]} spans @param {number} width */
+export function drawBars(canvas, spans, width) {
+  const ratio = Math.min(3, window.devicePixelRatio || 1);
+  canvas.width = Math.round(width * ratio);
+  canvas.height = Math.round(4 * ROW_PX * ratio);
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+  context.scale(ratio, ratio);
+  const perTick = width / Math.max(1, app.end);
+  context.globalAlpha = 0.8;
+  for (const { from, to, row, uav } of spans) {
+    context.fillStyle = uavColour(uav);
+    context.fillRect(from * perTick, row * ROW_PX + 1 + (uav % LANES) * BAR_PX, Math.max(1.5, (to - from) * perTick), BAR_PX);
+  }
+}
