@@ -2,29 +2,12 @@
 // The events of the flight as a list: the newest up to the cursor first; a click goes there. Also says them to screen readers.
 
 import { app } from "uchain/app.js";
-import { lookOf } from "uchain/panel/time/marks.js";
+import { clock, countTo, happened, lookOf } from "uchain/panel/time/happened.js";
+
+export { clock };
 
 /** So many are listed at once: those around the cursor. */
 const SHOWN = 120;
-
-/** How many of `events` are not after `tick`. @param {any[]} events @param {number} tick */
-export function countTo(events, tick) {
-  let low = 0;
-  let high = events.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (events[middle].tick <= tick) low = middle + 1;
-    else high = middle;
-  }
-  return low;
-}
-
-/** "1:23.4" or "23.4 s". @param {number} time_s */
-export function clock(time_s) {
-  if (time_s < 60) return `${time_s.toFixed(1)} s`;
-  const minutes = Math.floor(time_s / 60);
-  return `${minutes}:${(time_s - 60 * minutes).toFixed(1).padStart(4, "0")}`;
-}
 
 let listed = "";
 let said = 0;
@@ -51,14 +34,14 @@ function line(/** @type {any} */ event) {
 
 function show() {
   const place = /** @type {HTMLElement} */ (document.getElementById("events"));
-  const pane = app.panes[0];
-  if (!pane || place.hidden) return;
-  const upTo = countTo(pane.events, app.cursor);
+  if (!app.panes.length || place.hidden) return;
+  const { events, version } = happened();
+  const upTo = countTo(events, app.cursor);
   const from = Math.max(0, upTo - SHOWN);
-  const state = `${pane.version} ${from} ${upTo} ${pane.scene.label} ${pane.events[upTo - 1]?.text}`;
+  const state = `${version} ${from} ${upTo}`;
   if (state === listed) return;
   listed = state;
-  const lines = pane.events.slice(from, upTo).reverse().map(line);
+  const lines = events.slice(from, upTo).reverse().map(line);
   if (!lines.length) {
     const none = document.createElement("p");
     none.className = "none";
@@ -70,10 +53,9 @@ function show() {
 
 /** Says what has just happened, while it is played slowly enough to be heard. */
 function speak() {
-  const pane = app.panes[0];
-  if (!pane) return;
-  const upTo = countTo(pane.events, app.cursor);
-  const fresh = pane.events.slice(said, upTo);
+  const { events } = happened();
+  const upTo = countTo(events, app.cursor);
+  const fresh = events.slice(said, upTo);
   said = upTo;
   if (!app.playing || app.rate > 10 || fresh.length === 0) return;
   const live = /** @type {HTMLElement} */ (document.getElementById("live"));

@@ -3,16 +3,9 @@
 
 import { app } from "uchain/app.js";
 import { uavInk } from "uchain/draw/colours.js";
-import { clock } from "uchain/panel/events.js";
+import { clock, happened, lookOf, ROWS } from "uchain/panel/time/happened.js";
 import { drawBars, spansOf } from "uchain/panel/time/spans.js";
 
-/** Rows of the time line, top to bottom: which kinds of events. */
-const ROWS = [
-  { words: "launches", kinds: /took-off|launch|failed|purpose|^over$|^level$/ },
-  { words: "links", kinds: /link/ },
-  { words: "contacts", kinds: /contact|level-pass/ },
-  { words: "overrides", kinds: /./ },
-];
 const EXPLORING = ["purposes", "", "contacts", "holds"];
 /** Kinds that only end what another began: a bar says so, and no mark. */
 const ENDS = /-ends$|^wall-valid$|^link-found$|^launch-disarmed$/;
@@ -23,14 +16,6 @@ const NEAR_PX = 13;
 const EVERY_MS = 250;
 /** So many events of a mark are told in words. */
 const TOLD = 6;
-
-/** The row of an event's mark, and its sign. @param {{kind: string}} event */
-export function lookOf(event) {
-  const row = ROWS.findIndex(({ kinds }) => kinds.test(event.kind));
-  if (/failed|link-lost/.test(event.kind)) return { row, sign: "✕" };
-  if (/^launch-/.test(event.kind)) return { row, sign: "△" };
-  return { row, sign: ["▲", "●", "◆", "■"][row] };
-}
 
 /** @typedef {{x: number, row: number, events: any[]}} Mark */
 
@@ -66,15 +51,16 @@ export class Marks {
     const pane = app.panes[0];
     const width = this.#width;
     if (!pane || width < 20) return;
+    const { events, version } = happened();
     const theme = document.documentElement.dataset.theme;
-    const state = `${pane.version} ${pane.events.length} ${width} ${app.end} ${pane.scene.label} ${pane.events.at(-1)?.text} ${theme}`;
+    const state = `${version} ${events.length} ${width} ${app.end} ${theme}`;
     const now = performance.now();
     if (state === this.#made || (now < this.#made_ms + EVERY_MS && !pane.stopped)) return;
     if (this.box.contains(document.activeElement) && !pane.stopped) return;
     [this.#made, this.#made_ms] = [state, now];
     this.#rows(pane);
-    drawBars(this.bars, spansOf(pane.events, app.edge), width);
-    this.box.replaceChildren(...gather(pane.events, width).map((mark, i) => this.#button(mark, i === 0)));
+    drawBars(this.bars, spansOf(events, app.edge), width);
+    this.box.replaceChildren(...gather(events, width).map((mark, i) => this.#button(mark, i === 0)));
   }
 
   #rows(pane) {

@@ -28,9 +28,9 @@ export function spansOf(events, edge) {
   const spans = [];
   /** @type {Map<string, Span>} */
   const open = new Map();
-  for (const { kind, uav, tick, text } of events) {
+  for (const { kind, uav, tick, text, pane } of events) {
     PAIRS.forEach(({ begins, ends, row }, i) => {
-      const name = `${i} ${uav} ${row === 3 ? wordOf(text) : ""}`;
+      const name = `${i} ${pane} ${uav} ${row === 3 ? wordOf(text) : ""}`;
       const begun = open.get(name);
       if (ends.test(kind) && begun) {
         begun.to = tick;

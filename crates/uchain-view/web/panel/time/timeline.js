@@ -2,8 +2,8 @@
 // Time: play, pause, scrub, rate, step; what happened as marks with words.
 
 import { app, RATES } from "uchain/app.js";
-import { clock, countTo } from "uchain/panel/events.js";
 import { key } from "uchain/panel/keys.js";
+import { clock, countTo, happened } from "uchain/panel/time/happened.js";
 import { Marks } from "uchain/panel/time/marks.js";
 
 /** @type {Record<string, HTMLElement>} */
@@ -36,10 +36,9 @@ function faster(by) {
 
 /** To the next or the last event, and says it. @param {number} by */
 function jump(by) {
-  const pane = app.panes[0];
-  if (!pane) return;
-  const upTo = countTo(pane.events, app.cursor);
-  const next = by > 0 ? pane.events[upTo] : pane.events.slice(0, upTo).findLast((event) => event.tick < app.cursor);
+  const { events } = happened();
+  const upTo = countTo(events, app.cursor);
+  const next = by > 0 ? events[upTo] : events.slice(0, upTo).findLast((event) => event.tick < app.cursor);
   if (!next) return;
   app.pause();
   app.seek(next.tick);
