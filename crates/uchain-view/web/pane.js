@@ -142,7 +142,8 @@ export class Pane {
 
   /** Forgets all from `tick` on, and is at tick 0 again; to be advanced to `tick`. @param {number} tick */
   cut(tick) {
-    this.engine.do("cut", { tick });
+    // A recording becomes a flight of its own.
+    Object.assign(this.scene, this.engine.do("cut", { tick }));
     this.tick = 0;
     this.stopped = null;
     this.#verdict = null;

@@ -62,14 +62,17 @@ export function start() {
   );
   app.on("scene", opened);
   app.on("panes", panesChanged);
-  app.on("grown", (grown) => grown === pane() && showInputs());
   app.on("tab", (name) => {
     showHandles();
+    showInputs();
     if (name === "edit") check();
   });
-  app.on("mode", showHandles);
+  app.on("mode", () => {
+    showHandles();
+    showInputs();
+  });
   app.on("draw", () => handles.place());
-  key(["e", "E"], "E", "edit the scenario", () => {
+  key(["e", "E"], "e", "edit the scenario", () => {
     showTab("edit");
     text.area.focus();
   });
@@ -138,8 +141,7 @@ function panesChanged() {
 }
 
 function showInputs() {
-  const flight = pane()?.flight;
-  const has = (flight?.inputs?.length ?? 0) > 0 || app.mode === "fly" || inputsOf(pane()).length > 0;
+  const has = !drafts.get(pane())?.label && (app.mode === "fly" || inputsOf(pane()).length > 0);
   panel.querySelector(".edit-same").hidden = !has;
 }
 

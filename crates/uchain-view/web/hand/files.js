@@ -24,25 +24,28 @@ export function start() {
     { words: "A new scenario …", more: "the text that is flown now, in the editor", run: () => document.getElementById("tab-edit")?.click() },
   ], failed);
   menu(document.getElementById("save"), saves, failed);
-  key(["o", "O"], "O", "open files", () => picker.click());
+  key(["o", "O"], "o", "open files", () => picker.click());
   addEventListener("dragover", over);
   addEventListener("dragleave", (event) => event.relatedTarget === null && (veil.hidden = true));
   addEventListener("drop", dropped);
 }
 
-/** Ways to save what the first pane flies. */
+/** Ways to save what is flown. */
 function saves() {
-  const pane = app.panes[0];
-  if (!pane) return [{ words: "Nothing to save yet", off: "no flight is open", run: () => {} }];
+  if (app.panes.length === 0) return [{ words: "Nothing to save yet", off: "no flight is open", run: () => {} }];
+  return app.panes.flatMap((pane, i) => savesOf(pane, app.panes.length > 1 ? `${"AB"[i]}: ` : ""));
+}
+
+function savesOf(pane, which) {
   const lost = pane.scene.recorded && !pane.scene.flies_again ? "not of a recording that cannot be flown again" : null;
   const hasInputs = !pane.explores && !lost && pane.engine.do("inputs").length > 0;
   return [
     hasInputs
-      ? { words: "Scenario with your inputs", more: `${stem(pane)}-by-hand.toml: they are its script, the command line flies it bit for bit`, run: () => saveToml(pane, true), off: lost }
+      ? { words: `${which}Scenario with your inputs`, more: `${stem(pane)}-by-hand.toml: they are its script, the command line flies it bit for bit`, run: () => saveToml(pane, true), off: lost }
       : null,
-    { words: "Scenario", more: `${stem(pane)}.toml${hasInputs ? ": with the script it had, without your inputs" : ""}`, run: () => saveToml(pane, false), off: lost },
-    { words: "Recording", more: `${stem(pane)}.mcap: for uchain inspect and verify, for Rerun and Foxglove`, run: () => saveRecording(pane) },
-    { words: "Flight", more: `${stem(pane)}.uchain.json: scenario, seed, inputs, map; to be dropped on this page`, run: () => saveFlight(pane), off: lost },
+    { words: `${which}Scenario`, more: `${stem(pane)}.toml${hasInputs ? ": with the script it had, without your inputs" : ""}`, run: () => saveToml(pane, false), off: lost },
+    { words: `${which}Recording`, more: `${stem(pane)}.mcap: for uchain inspect and verify, for Rerun and Foxglove`, run: () => saveRecording(pane) },
+    { words: `${which}Flight`, more: `${stem(pane)}.uchain.json: scenario, seed, inputs, map; to be dropped on this page`, run: () => saveFlight(pane), off: lost },
   ].filter(Boolean);
 }
 

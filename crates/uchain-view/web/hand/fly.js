@@ -43,11 +43,11 @@ export function start() {
   });
   app.on("frame", (pane) => pane === app.panes[0] && look(pane));
   app.on("grown", (pane) => pane === app.panes[0] && look(pane));
-  key(["f", "F"], "F", "fly the head by hand from the cursor on, and hand back", toggle);
+  key(["f", "F"], "f", "fly the head by hand from the cursor on, and hand back", toggle);
   key(["ArrowUp", "ArrowDown"], "↑ ↓", "faster, slower; hold to go on; backward below zero", () => {}, "fly");
   key(["ArrowLeft", "ArrowRight"], "← →", "which way at a branch", () => {}, "fly");
   key([" "], "Space", "stop the head: it hovers", () => {}, "fly");
-  key(["p", "P"], "P", "hold time, and let it go on", () => (app.playing ? app.pause() : app.play()), "fly");
+  key(["p", "P"], "p", "hold time, and let it go on", () => (app.playing ? app.pause() : app.play()), "fly");
   // Before anything else on the page, so that a button or the time line that has the focus does not eat the keys.
   document.addEventListener("keydown", pressed, { capture: true });
   document.addEventListener("keyup", (event) => app.mode === "fly" && event.key === " " && !isText(event.target) && event.preventDefault(), { capture: true });

@@ -34,8 +34,8 @@ function failed(fault) {
   else app.fault(fault);
 }
 
-async function share() {
-  const pane = app.panes[0];
+async function share(index = 0) {
+  const pane = app.panes[index];
   if (!pane) return;
   const json = flightJson(pane);
   if (json === null) {
@@ -55,9 +55,10 @@ async function share() {
   const field = element("textarea", { readOnly: true, rows: 4, value: link, "aria-label": "link to this flight", onfocus: () => field.select() });
   const told = element("p", { role: "status", className: "quiet" }, `${letters} letters: scenario, seed and inputs, all in the link. It flies the same, bit for bit.`);
   const hint = isFile ? element("p", { className: "quiet" }, "This page is a file on your machine. Somebody else opens the same page and pastes the link under Open > A link.") : null;
-  shown("Share this flight", [field, told, hint], [
+  shown(app.panes.length > 1 ? `Share flight ${"AB"[index]}` : "Share this flight", [field, told, hint], [
     ["Copy the link", async () => (told.textContent = (await copied(link, field)) ? "Copied." : "The browser does not let a page copy here: press Ctrl+C, the link is selected."), true],
     ["Save as a file", () => saveFlight(pane)],
+    ...(app.panes.length > 1 ? [[`Share flight ${"BA"[index]} instead`, () => share(1 - index).catch(failed)]] : []),
   ]);
   field.focus();
 }

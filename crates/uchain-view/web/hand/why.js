@@ -113,13 +113,14 @@ function fill(node, pane) {
   }
   remember(pane, uav, why);
   const [first, ...more] = why.words ?? [];
-  node.append(
+  const parts = [
     element("p", { className: "why-role" }, `UAV ${uav}, ${[why.role, why.stage].filter(Boolean).join(", ")}${Number.isInteger(why.place) ? `, place ${why.place} of the chain` : ""}`),
     element("p", { className: "why-first" }, first ?? ""),
     more.length > 0 && element("ul", { className: "why-more" }, ...more.map((line) => element("li", {}, line))),
     ...drawings(why, uav, pane),
     tells(why),
-  );
+  ];
+  node.append(...parts.filter(Boolean));
   return true;
 }
 
@@ -140,7 +141,7 @@ function drawings(why, uav, pane) {
   const { scene, frame } = pane;
   const chain = scene.chain;
   const link = frame?.links?.find((link) => link.uav === uav);
-  const ahead = frame?.links?.find((link) => link.behind === uav);
+  const ahead = frame?.links?.find((link) => link.behind === uav) ?? (why.role === "relay" && !link ? frame?.links?.at(-1) : null);
   const made = [];
   if (why.front || why.back) {
     made.push(

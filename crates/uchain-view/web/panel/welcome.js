@@ -9,6 +9,9 @@ const TEXT = [
   matchMedia("(pointer: coarse)").matches
     ? "Tap ❚❚ to stop, drag the time line, tap a UAV to ask why it moves."
     : "Press Space to stop and go, drag the time line, click a UAV to ask why it moves.",
+  matchMedia("(pointer: coarse)").matches
+    ? "Or fly the head yourself: faster and slower, left or right at a branch. It keeps off the walls by itself, and the others keep your link."
+    : "Or fly the head yourself: ↑ and ↓ for its speed, ← and → for the way at a branch, Space stops it. It keeps off the walls by itself, and the others keep your link.",
 ];
 
 function card(/** @type {any} */ one, /** @type {() => void} */ close) {

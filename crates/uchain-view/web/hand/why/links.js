@@ -16,7 +16,7 @@ const LATE_S = 0.3;
  * @param {{ahead: string, behind: string, s_min_db: number, colour: (loss_db: number) => string}} about
  */
 export function linksDrawing(why, about) {
-  const rows = [{ name: "back", whom: about.behind, link: why.back }];
+  const rows = why.back || why.stage === "flying" ? [{ name: "back", whom: about.behind, link: why.back }] : [];
   // Whoever leads has nobody in front.
   if (why.role !== "head" || why.front) rows.unshift({ name: "front", whom: about.ahead, link: why.front });
   const [low_db, high_db] = extent(rows, why, about.s_min_db);
