@@ -12,6 +12,7 @@ export function stem(pane) {
   const plain = name.replace(/[^\p{L}\p{N}._-]+/gu, "-").replace(/^[-.]+|-+$/g, "").slice(0, 80) || "flight";
   const seed = pane.scene.seed ?? "";
   const ending = `-s${seed}`;
+  if (app.panes.length > 1 && pane === app.panes[1]) return `${plain.replace(new RegExp(`${ending}$`), "")}-b${ending}`;
   return seed === "" || plain.endsWith(ending) ? plain : `${plain}${ending}`;
 }
 
