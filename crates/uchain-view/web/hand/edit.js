@@ -124,8 +124,8 @@ function load() {
   if (text.text !== wanted) text.open(wanted);
   seed.value = String(of.scene.seed ?? 1);
   showInputs();
-  check();
   showHandles();
+  check();
 }
 
 /** Corners can be dragged while the text is edited, and nobody steers. */

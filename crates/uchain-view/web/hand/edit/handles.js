@@ -30,8 +30,9 @@ export class CornerHandles {
   shown(pane) {
     this.#pane = pane;
     this.#seen = "";
-    this.#svg.remove();
+    // Where it stays on the same map, the corner that has the focus keeps it.
     if (pane) this.place();
+    else this.#svg.remove();
   }
 
   /** Puts the handles where the text says, on the map as it is looked at now. */

@@ -74,7 +74,7 @@ export class TextPanel {
     const caret = Math.min(before.caret, area.value.length);
     area.setSelectionRange(caret, caret);
     area.scrollTo(before.left, before.top);
-    if (focused instanceof HTMLElement && focused !== area) focused.focus({ preventScroll: true });
+    if (focused instanceof Element && focused !== area) focused.focus({ preventScroll: true });
   }
 
   /** Shows a place: the caret goes there. */
