@@ -8,6 +8,7 @@ import * as compare from "uchain/hand/compare.js";
 import * as edit from "uchain/hand/edit.js";
 import * as files from "uchain/hand/files.js";
 import * as fly from "uchain/hand/fly.js";
+import { flightOf } from "uchain/hand/files/kinds.js";
 import * as share from "uchain/hand/share.js";
 import * as why from "uchain/hand/why.js";
 import * as bar from "uchain/panel/bar.js";
@@ -19,10 +20,16 @@ import * as tabs from "uchain/panel/tabs.js";
 import * as timeline from "uchain/panel/time/timeline.js";
 import * as welcome from "uchain/panel/welcome.js";
 
-/** The flight in this page or its address; null = it has none. */
+/** The flight that was put into this page; null = it has none, or none that can be flown, which is said. */
 function brought() {
   const text = document.getElementById("flight")?.textContent;
-  return text ? JSON.parse(text) : null;
+  if (!text) return null;
+  try {
+    return flightOf(text, "The flight in this page");
+  } catch (fault) {
+    app.say("error", fault.message);
+    return null;
+  }
 }
 
 async function begin() {

@@ -7,7 +7,7 @@ import { element } from "uchain/hand/element.js";
 import { Cards } from "uchain/hand/edit/cards.js";
 import { CornerHandles } from "uchain/hand/edit/handles.js";
 import { TextPanel } from "uchain/hand/edit/text.js";
-import { keyAt, setting, statements } from "uchain/hand/edit/toml.js";
+import { keyAt, lineOf, setting, statements } from "uchain/hand/edit/toml.js";
 import { saveText } from "uchain/hand/files/save.js";
 import { show as showTab } from "uchain/panel/tabs.js";
 import { key } from "uchain/panel/keys.js";
@@ -192,9 +192,16 @@ function check() {
 
 function fail(error) {
   lastError = error;
-  text.mark(error.line ?? null);
+  error.line ??= lineOfKey(error.key);
+  text.mark(error.line);
   const where = error.line ? `Line ${error.line}: ` : "";
   verdictIs("error", `${where}${plainly(error, labelOf(pane()))}${error.hint ? `\n${error.hint}` : ""}`);
+}
+
+/** Where an error names a key and no line. */
+function lineOfKey(path) {
+  const at = path ? statements(text.text).find((one) => one.path === path) : null;
+  return at ? lineOf(text.text, at.from).line : null;
 }
 
 function verdictIs(kind, words) {

@@ -7,6 +7,8 @@ import { key } from "uchain/panel/keys.js";
 
 /** Times real time when somebody takes over: half a minute round the circuit, and slow enough to steer. */
 const RATE = 2;
+/** Faster nobody steers. */
+const MOST_RATE = 20;
 /** The engine is asked so often why the head is held (ms). */
 const WHY_MS = 300;
 /** A key that is held steps so often (ms): full speed is a second away. */
@@ -43,6 +45,7 @@ export function start() {
   });
   app.on("frame", (pane) => pane === app.panes[0] && look(pane));
   app.on("grown", (pane) => pane === app.panes[0] && look(pane));
+  app.on("rate", (rate) => app.mode === "fly" && rate > MOST_RATE && (app.rate = MOST_RATE));
   key(["f", "F"], "f", "fly the head by hand from the cursor on, and hand back", toggle);
   key(["ArrowUp", "ArrowDown"], "↑ ↓", "faster, slower; hold to go on; backward below zero", () => {}, "fly");
   key(["ArrowLeft", "ArrowRight"], "← →", "which way at a branch", () => {}, "fly");
@@ -158,7 +161,7 @@ function look(pane) {
   bar.became(pane.frame?.head, pane.scene.chain.v_max_mps);
   if (taking !== null) return bar.says("Flying up to here again …", false);
   if (pane.stopped && app.cursor >= pane.tick) {
-    return bar.says(`The flight is over: ${pane.stopped.words} Save or share it, change a key under Edit and fly again with the same inputs, or fly from the start.`, false);
+    return bar.says(`The flight is over: ${pane.stopped.words}. Save or share it, change a key under Edit and fly again with the same inputs, or fly from the start.`, false);
   }
   const head = pane.frame?.head;
   if (!head) return bar.says("The head takes off by itself: press ↑ for what it shall do then.", false);

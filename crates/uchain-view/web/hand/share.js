@@ -5,7 +5,7 @@ import { app } from "uchain/app.js";
 import { element } from "uchain/hand/element.js";
 import { fromLink, MOST_LINK, toHash } from "uchain/hand/files/link.js";
 import { FileError } from "uchain/hand/files/kinds.js";
-import { flightJson, saveFlight } from "uchain/hand/files/save.js";
+import { CANNOT, flightJson, saveFlight } from "uchain/hand/files/save.js";
 
 export function start() {
   document.getElementById("share").addEventListener("click", () => share().catch(failed));
@@ -39,7 +39,7 @@ async function share(index = 0) {
   if (!pane) return;
   const json = flightJson(pane);
   if (json === null) {
-    app.say("note", "A recording that cannot be flown again has no link: send its file, run.mcap.");
+    app.say("note", CANNOT);
     return;
   }
   const hash = await toHash(json);

@@ -122,11 +122,10 @@ export class TextPanel {
     const lines = this.area.value.split("\n").length;
     if (lines === this.lines && !anew) return;
     this.lines = lines;
-    const marks = Array.from({ length: Math.min(lines, 100000) }, (_, i) => {
-      const bad = i + 1 === this.marked;
-      return element("span", bad ? { className: "bad" } : {}, bad ? `✕ ${i + 1}` : `${i + 1}`, "\n");
-    });
-    this.gutter.replaceChildren(...marks);
+    const numbers = Array.from({ length: lines }, (_, i) => `${i + 1}\n`);
+    const bad = this.marked !== null && this.marked <= lines ? this.marked : null;
+    if (bad === null) this.gutter.replaceChildren(numbers.join(""));
+    else this.gutter.replaceChildren(numbers.slice(0, bad - 1).join(""), element("span", { className: "bad" }, `✕ ${bad}\n`), numbers.slice(bad).join(""));
     this.#follow();
   }
 

@@ -71,6 +71,18 @@ export async function bytesOf(file) {
   }
 }
 
+function recordingOf(base64, name) {
+  if (typeof base64 !== "string") throw new FileError(`${name} is no flight of this page: it has no "base64", the recording.`);
+  try {
+    const letters = atob(base64);
+    const bytes = new Uint8Array(letters.length);
+    for (let at = 0; at < letters.length; at += 1) bytes[at] = letters.charCodeAt(at);
+    return bytes;
+  } catch {
+    throw new FileError(`${name}: the recording in it is damaged, it is no base64.`);
+  }
+}
+
 /** A flight as JSON, looked at before it goes to the engine; what is in it the engine judges. */
 export function flightOf(text, name) {
   let flight;
@@ -83,6 +95,8 @@ export function flightOf(text, name) {
     throw new FileError(`${name} is no flight of this page: it lacks "kind": "scenario" or "recording". Save > Flight writes one.`);
   }
   if (flight.kind === "scenario" && typeof flight.text !== "string") throw new FileError(`${name} is no flight of this page: it has no "text", the scenario.`);
-  if (flight.kind === "recording" && typeof flight.base64 !== "string") throw new FileError(`${name} is no flight of this page: it has no "base64", the recording.`);
-  return { ...flight, label: typeof flight.label === "string" ? flight.label : name };
+  const label = typeof flight.label === "string" ? flight.label : name;
+  if (flight.kind === "recording") return { kind: "recording", label, bytes: recordingOf(flight.base64, name) };
+  if (flight.seed !== undefined && !Number.isSafeInteger(flight.seed)) throw new FileError(`${name}: its seed ${flight.seed} is none that a page can hold, which ends at ${Number.MAX_SAFE_INTEGER}. uchain run flies it.`);
+  return { ...flight, label };
 }

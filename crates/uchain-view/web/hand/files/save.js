@@ -3,6 +3,9 @@
 import { app } from "uchain/app.js";
 import { element } from "uchain/hand/element.js";
 
+/** Why there is neither link nor file of some flights. */
+export const CANNOT = "A recording that cannot be flown again here, or a seed beyond 9 007 199 254 740 991, has no link and no flight file: send the recording, run.mcap.";
+
 /** Longest that a slice of recording should take (ms). */
 const SLICE_MS = 8;
 
@@ -39,13 +42,17 @@ export function saveToml(pane, byHand) {
   app.say("note", `${name} saved. It flies the same, bit for bit: uchain run ./${name} --seed ${pane.scene.seed ?? 1}`);
 }
 
+/** The flight for others, as JSON; null where it can only be looked at. */
 export function flightJson(pane) {
+  // JSON rounds larger numbers, and a rounded seed is another flight.
+  if (!Number.isSafeInteger(pane.scene.seed)) return null;
   if (pane.scene.recorded && !pane.scene.flies_again) return null;
   return JSON.stringify(pane.engine.do("flight"));
 }
 
 export function saveFlight(pane) {
   const json = flightJson(pane);
+  if (json === null) return app.say("note", CANNOT);
   const name = `${stem(pane)}.uchain.json`;
   download(name, [json], "application/json");
   app.say("note", `${name} saved. Drop it on this page, and the flight is there again.`);
