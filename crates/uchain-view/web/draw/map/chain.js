@@ -10,7 +10,7 @@ const LEAST_PX = 8;
 /** A link shorter than this has no room for its loss (pixels). */
 const ROOM_PX = 54;
 /** So many pieces of trail are drawn at most, all UAVs together. */
-const TRAIL_PIECES = 6000;
+const TRAIL_PIECES = 4000;
 /** Beams of all are drawn up to so many UAVs; past it, the selected one's. */
 const BEAMS_OF_ALL = 12;
 /** nw = front left, ne = front right, sw = rear left, se = rear right: angles to the heading (rad). */
