@@ -27,7 +27,7 @@ function brought() {
   try {
     return flightOf(text, "The flight in this page");
   } catch (fault) {
-    app.say("error", fault.message);
+    app.say("error", /** @type {Error} */ (fault).message);
     return null;
   }
 }

@@ -4,6 +4,7 @@
 import { app } from "uchain/app.js";
 import { MapView } from "uchain/draw/map/map.js";
 import { PlotView } from "uchain/draw/plot/plot.js";
+import { valuesAt } from "uchain/draw/plot/readout.js";
 import { LINES } from "uchain/draw/plot/spec.js";
 import { about } from "uchain/panel/bar.js";
 import { clock } from "uchain/panel/events.js";
@@ -86,6 +87,16 @@ function tell(/** @type {import("uchain/pane.js").Pane} */ pane, /** @type {HTML
   if (time.textContent !== shown) time.textContent = shown;
 }
 
+/** Says what the plots show at the cursor to those who do not see them. */
+function read() {
+  const words = app.panes.map((pane, i) => {
+    const name = app.panes.length > 1 ? `${"AB"[i]}: ` : "";
+    return name + views[i].plot.boxes.map((box) => valuesAt(pane, box, app.time_s)).join("\n");
+  });
+  const live = document.getElementById("live");
+  if (live) live.textContent = words.join(". ").replaceAll("\n", ". ");
+}
+
 export function start() {
   fit();
   app.on("panes", fit);
@@ -110,5 +121,6 @@ export function start() {
   };
   key(["+", "="], "+", "zoom in", each((map) => map.view.zoom(1.25)));
   key(["-"], "-", "zoom out", each((map) => map.view.zoom(0.8)));
+  key(["r"], "r", "say the values at the cursor", read);
   key(["w"], "w", "the whole map", each((map) => map.view.fit()));
 }

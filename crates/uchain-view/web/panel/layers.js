@@ -5,10 +5,10 @@ import { app } from "uchain/app.js";
 import { key } from "uchain/panel/keys.js";
 
 /** What is shown now. @type {Record<string, boolean>} */
-export const shown = { trails: true, beams: true, losses: true, raw: true, true: true, stars: true, graph: true, frontiers: true, targets: true };
+export const shown = { trails: true, beams: true, losses: true, overrides: true, raw: true, true: true, stars: true, graph: true, frontiers: true, targets: true };
 
 const WORDS = {
-  chain: { trails: "trails", beams: "time-of-flight beams", losses: "losses beside the links", true: "true losses in the plot", raw: "raw losses in the plot" },
+  chain: { trails: "trails", beams: "time-of-flight beams", losses: "losses beside the links", overrides: "what overrides a UAV", true: "true losses in the plot", raw: "raw losses in the plot" },
   exploration: { trails: "trails", stars: "stars: what was seen", graph: "the graph", frontiers: "frontiers", targets: "targets" },
 };
 

@@ -49,10 +49,7 @@ export function drawChain(context, view, pane) {
   }
   for (const link of frame.links) drawLink(context, view, frame, scene, link);
   places(context, view, pane);
-  context.font = "600 11px system-ui, sans-serif";
-  for (const uav of frame.uavs) {
-    if (uav.airborne && uav.doing?.overridden) label(context, uav.doing.overridden, view.px(uav.x_m), view.py(uav.y_m) + size + 17, view);
-  }
+  if (shown.overrides) drawOverrides(context, view, frame, size);
   for (let id = frame.uavs.length - 1; id >= 0; id -= 1) {
     if (frame.uavs[id].airborne) drawDisc(context, view.px(frame.uavs[id].x_m), view.py(frame.uavs[id].y_m), frame.uavs[id].heading_rad, id, size);
   }
@@ -120,6 +117,17 @@ function drawBeams(context, view, pane) {
   context.strokeStyle = colours.ink;
 }
 
+/** What has taken over a UAV, in words below it. */
+function drawOverrides(context, view, frame, size) {
+  context.font = "600 11px system-ui, sans-serif";
+  frame.uavs.forEach((/** @type {any} */ uav, /** @type {number} */ id) => {
+    if (!uav.airborne || !uav.doing || (frame.uavs.length > BEAMS_OF_ALL && id !== app.selected)) return;
+    const { overridden, pushed_by } = uav.doing;
+    const words = [overridden?.replaceAll("-", " "), pushed_by ? `pushed off the ${pushed_by} wall` : null].filter(Boolean).join(", ");
+    if (words) label(context, words, view.px(uav.x_m), view.py(uav.y_m) + size + 17, view);
+  });
+}
+
 /** Base and goal, with their names. */
 function places(context, view, pane) {
   const colours = palette();
@@ -141,8 +149,9 @@ function places(context, view, pane) {
   context.fillRect(x - 7, y - 7, 14, 14);
   context.fillStyle = colours.free;
   context.fillRect(x - 2.5, y - 2.5, 5, 5);
-  const ground = pane.frame.uavs.filter((/** @type {any} */ uav) => !uav.airborne).length;
-  label(context, ground ? `base, ${ground} waiting` : "base", x, y + 20, view);
+  const ground = pane.frame.uavs.filter((/** @type {any} */ uav) => !uav.airborne);
+  const launch = ground.find((/** @type {any} */ uav) => uav.doing?.launch)?.doing.launch.split(":")[0];
+  label(context, ground.length ? `base, ${ground.length} waiting${launch ? `, launch ${launch}` : ""}` : "base", x, y + 20, view);
 }
 
 /** Words on a plate of their own, within the map. @param {CanvasRenderingContext2D} context @param {string} text @param {number} x @param {number} y the middle @param {import("uchain/draw/map/view.js").View} view */

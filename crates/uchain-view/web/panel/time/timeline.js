@@ -138,5 +138,11 @@ export function start() {
   key(["n"], "n", "to the next event", () => jump(1), "watch");
   key(["p"], "p", "to the event before", () => jump(-1), "watch");
   key([..."0123456789"], "0 … 9", "select a UAV", (event) => (app.selected = Number(event.key)));
+  const next = (/** @type {number} */ by) => () => {
+    const crew = app.panes[0]?.crew ?? 1;
+    app.selected = app.selected === null ? (by > 0 ? 0 : crew - 1) : (app.selected + by + crew) % crew;
+  };
+  key(["u"], "u", "select the next UAV", next(1));
+  key(["U"], "Shift u", "select the UAV before", next(-1));
   key(["Escape"], "Esc", "select none", () => (app.selected = null));
 }
