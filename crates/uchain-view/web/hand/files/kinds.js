@@ -38,7 +38,7 @@ export function sorted(files) {
   const whole = files.reduce((sum, file) => sum + file.size, 0);
   const largest = [...files].sort((a, b) => b.size - a.size)[0];
   if (whole > MOST_BYTES) {
-    const remedy = kindOf(largest.name) === "recording" ? "Fly it again with a coarser recording, or look into it with `uchain inspect`." : "Cut the map down to the part that is flown, or give it larger cells.";
+    const remedy = kindOf(largest.name) === "recording" ? "Open its scenario and fly it here, or look into the file with `uchain inspect`." : "Cut the map down to the part that is flown, or give it larger cells.";
     throw new FileError(`${largest.name} is ${size(largest.size)}; this page reads up to 64 MB. ${remedy}`);
   }
   for (const file of files) {
