@@ -104,7 +104,7 @@ export class Pane {
 
   /** The last tick it can have, as far as is known. */
   get end() {
-    return this.stopped ? this.tick : this.scene.ticks;
+    return this.stopped || this.broken ? this.tick : this.scene.ticks;
   }
 
   /** What came of it, once it is over. */

@@ -48,6 +48,7 @@ export function drawChain(context, view, pane) {
     if (!frame.uavs[id].airborne) waiting(context, view, frame.uavs[id], size);
   }
   for (const link of frame.links) drawLink(context, view, frame, scene, link);
+  if (shown.losses) drawLosses(context, view, frame, scene);
   places(context, view, pane);
   if (shown.overrides) drawOverrides(context, view, frame, size);
   for (let id = frame.uavs.length - 1; id >= 0; id -= 1) {
@@ -170,10 +171,9 @@ export function label(context, text, x, y, view) {
 }
 
 function drawLink(context, view, frame, scene, link) {
-  const front = frame.uavs[link.uav];
-  const behind = link.behind === null ? { x_m: scene.chain.base_m[0], y_m: scene.chain.base_m[1] } : frame.uavs[link.behind];
-  if (!front || !behind) return;
-  const [ax, ay, bx, by] = [view.px(behind.x_m), view.py(behind.y_m), view.px(front.x_m), view.py(front.y_m)];
+  const ends = endsOf(view, frame, scene, link);
+  if (!ends) return;
+  const [ax, ay, bx, by] = ends;
   const lost = link.heard === false;
   context.strokeStyle = linkColour(link.true_db, scene.chain.s_min_db);
   context.lineWidth = 4;
@@ -185,16 +185,35 @@ function drawLink(context, view, frame, scene, link) {
   context.stroke();
   context.setLineDash([]);
   context.globalAlpha = 1;
-  const long_px = Math.hypot(bx - ax, by - ay);
-  const [mx, my] = [(ax + bx) / 2, (ay + by) / 2];
-  if (missed(link, scene)) cross(context, mx, my);
-  if (!shown.losses || long_px < ROOM_PX) return;
-  const [nx, ny] = [-(by - ay) / long_px, (bx - ax) / long_px];
-  const side = ny > 0 || (ny === 0 && nx > 0) ? -1 : 1;
+  if (missed(link, scene)) cross(context, (ax + bx) / 2, (ay + by) / 2);
+}
+
+/** The ends of a link on the screen; null = one of them is not there. */
+function endsOf(view, frame, scene, link) {
+  const front = frame.uavs[link.uav];
+  const behind = link.behind === null ? { x_m: scene.chain.base_m[0], y_m: scene.chain.base_m[1] } : frame.uavs[link.behind];
+  return front && behind ? [view.px(behind.x_m), view.py(behind.y_m), view.px(front.x_m), view.py(front.y_m)] : null;
+}
+
+/** The loss beside each link that has room for it, none over another. */
+function drawLosses(context, view, frame, scene) {
   context.font = "600 12px system-ui, sans-serif";
-  const words = lost ? `${link.true_db.toFixed(0)} dB, lost` : `${link.true_db.toFixed(0)} dB`;
-  const off = 15 + Math.abs(nx) * 16;
-  label(context, words, mx + nx * side * off, my + ny * side * off, view);
+  /** @type {number[][]} */
+  const taken = [];
+  for (const link of frame.links) {
+    const ends = endsOf(view, frame, scene, link);
+    if (!ends) continue;
+    const [ax, ay, bx, by] = ends;
+    const long_px = Math.hypot(bx - ax, by - ay);
+    if (long_px < ROOM_PX) continue;
+    const [nx, ny] = [-(by - ay) / long_px, (bx - ax) / long_px];
+    const side = ny > 0 || (ny === 0 && nx > 0) ? -1 : 1;
+    const off = 15 + Math.abs(nx) * 16;
+    const [x, y] = [(ax + bx) / 2 + nx * side * off, (ay + by) / 2 + ny * side * off];
+    if (taken.some(([ox, oy]) => Math.abs(ox - x) < ROOM_PX && Math.abs(oy - y) < 18)) continue;
+    taken.push([x, y]);
+    label(context, `${link.true_db.toFixed(0)} dB${link.heard === false ? ", lost" : ""}`, x, y, view);
+  }
 }
 
 /** Whether the last packet from one of its ends did not come through. */
