@@ -65,6 +65,11 @@ impl<S: Viewed> Again<S> {
         self.mission.as_ref()
     }
 
+    /// What was read up to there.
+    pub(super) fn read(&self) -> &S::Read {
+        &self.read
+    }
+
     /// The frame that a film would keep of that.
     pub(super) fn kept(&self) -> Option<FrameOf<S>> {
         self.mission.as_ref().map(|mission| S::kept(mission.frame(), &self.read))

@@ -216,7 +216,7 @@ impl<S: Viewed> Flight for Flown<S> {
         if let Origin::Live(mission) = &self.origin
             && mission.frame().tick() == tick
         {
-            return self.scene.why(mission, uav);
+            return self.scene.why(mission, &self.watched.read, uav);
         }
         if !self.flies_again {
             return Err(Problem::new(
@@ -234,7 +234,7 @@ impl<S: Viewed> Flight for Flown<S> {
                 "flown again, it is another flight by tick {tick}: it was recorded by another version, and nobody can say why"
             )));
         }
-        self.scene.why(mission, uav)
+        self.scene.why(mission, self.again.read(), uav)
     }
 
     fn series(&self, from: usize) -> Series {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use serde_json::{Value, json};
-use uchain_core::chain::{Follow, PilotInput, Tof};
+use uchain_core::chain::{Doing, Follow, LaunchHold, Override, PilotInput, Tof, WallSide, Walls};
 use uchain_sim::{
     clock::period_ticks,
     mission::{
@@ -49,6 +49,44 @@ struct UavView {
     wall_contacts: u32,
     uav_contacts: u32,
     tof: Option<TofView>,
+    doing: Option<DoingView>,
+}
+
+/// What it is about.
+#[derive(Serialize)]
+struct DoingView {
+    overridden: Option<&'static str>,
+    follow: &'static str,
+    walls: Option<&'static str>,
+    pushed_by: Option<&'static str>,
+    launch: Option<&'static str>,
+}
+
+impl From<Doing> for DoingView {
+    fn from(doing: Doing) -> Self {
+        let held = |held| match held {
+            None => "armed",
+            Some(LaunchHold::Ahead) => "held: the UAV ahead has not flown for long enough",
+            Some(LaunchHold::Unlevelled) => "held: the flying chain has not levelled",
+            Some(LaunchHold::Silent) => "held: nothing is heard of the chain",
+        };
+        Self {
+            overridden: doing.overridden.map(Override::word),
+            follow: word(doing.follow),
+            walls: doing.walls.map(walls_word),
+            pushed_by: doing.pushed_by.map(|side| if side == WallSide::Left { "left" } else { "right" }),
+            launch: doing.launch.map(|launch| held(launch.held)),
+        }
+    }
+}
+
+/// The walls that a UAV steers by in a word.
+pub(super) fn walls_word(walls: Walls) -> &'static str {
+    match walls {
+        Walls::Both => "both",
+        Walls::Left => "left",
+        Walls::Right => "right",
+    }
 }
 
 #[derive(Serialize)]
@@ -85,8 +123,16 @@ impl From<&UavFrame> for UavView {
             wall_contacts: uav.wall_contacts,
             uav_contacts: uav.uav_contacts,
             tof: uav.tof.filter(|_| uav.airborne).map(tof),
+            doing: uav.doing.map(DoingView::from),
         }
     }
+}
+
+/// What a UAV's sensors read last, and what it was about at its last decision.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Last {
+    pub(super) tof: Option<Tof>,
+    pub(super) doing: Option<Doing>,
 }
 
 /// The numbers of a UAV over time.
@@ -94,7 +140,7 @@ const OF_EACH: [&str; 5] = ["x_m", "y_m", "true_db", "filtered_db", "raw_db"];
 
 impl Viewed for Course {
     type Extra = ();
-    type Read = Vec<Option<Tof>>;
+    type Read = Vec<Last>;
 
     fn of_its_kind(&self) -> (&'static str, Value) {
         let s = &self.scenario;
@@ -174,16 +220,17 @@ impl Viewed for Course {
     }
 
     fn read_on(read: &mut Self::Read, frame: &Frame) {
-        read.resize(frame.uavs.len(), None);
-        for (read, uav) in read.iter_mut().zip(&frame.uavs) {
-            *read = uav.tof.or(*read).filter(|_| uav.airborne);
+        read.resize(frame.uavs.len(), Last::default());
+        for (last, uav) in read.iter_mut().zip(&frame.uavs) {
+            last.tof = uav.tof.or(last.tof).filter(|_| uav.airborne);
+            last.doing = uav.doing.or(last.doing);
         }
     }
 
     fn kept(frame: &Frame, read: &Self::Read) -> Frame {
         let mut kept = frame.clone();
-        for (uav, read) in kept.uavs.iter_mut().zip(read) {
-            uav.tof = *read;
+        for (uav, last) in kept.uavs.iter_mut().zip(read) {
+            (uav.tof, uav.doing) = (last.tof, last.doing);
         }
         kept
     }
@@ -223,8 +270,8 @@ impl Viewed for Course {
         serde_json::to_string(&view).map_err(Problem::new)
     }
 
-    fn why(&self, chain: &Chain, uav: usize) -> Result<Value, Problem> {
-        why::why(self, chain, uav)
+    fn why(&self, chain: &Chain, read: &Self::Read, uav: usize) -> Result<Value, Problem> {
+        why::why(self, chain, read.get(uav).copied().unwrap_or_default(), uav)
     }
 
     fn graph((): &(), _: Since) -> Value {

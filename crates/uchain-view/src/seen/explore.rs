@@ -166,7 +166,7 @@ impl Viewed for Site {
         serde_json::to_string(&view).map_err(Problem::new)
     }
 
-    fn why(&self, exploration: &Exploration, robot: usize) -> Result<Value, Problem> {
+    fn why(&self, exploration: &Exploration, (): &(), robot: usize) -> Result<Value, Problem> {
         let frame = exploration.frame();
         let Some(now) = frame.robots.get(robot) else {
             let last = frame.robots.len().saturating_sub(1);

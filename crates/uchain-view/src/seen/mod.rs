@@ -63,8 +63,13 @@ pub(crate) trait Viewed: Scene<Mission: Recorded + Shown> {
     /// A frame for a page.
     fn frame_json(&self, frame: &FrameOf<Self>, extra: &Self::Extra, exact: bool) -> Result<String, Problem>;
 
-    /// Why somebody does what he does, where a mission stands.
-    fn why(&self, mission: &<Self as Scene>::Mission, robot: usize) -> Result<Value, Problem>;
+    /// Why somebody does what he does, where a mission stands, and given what was read up to there.
+    fn why(
+        &self,
+        mission: &<Self as Scene>::Mission,
+        read: &Self::Read,
+        robot: usize,
+    ) -> Result<Value, Problem>;
 
     /// The history of a graph, from what a page knows on; nothing of a mission that makes none.
     fn graph(extra: &Self::Extra, from: Since) -> Value;

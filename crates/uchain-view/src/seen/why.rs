@@ -9,13 +9,12 @@ use uchain_sim::mission::{
     chain::{Chain, Course},
 };
 
-use super::chain::word;
+use super::chain::{Last, walls_word, word};
 use crate::problem::Problem;
 
 /// What a UAV believes and asks for where a chain stands, most important first.
-pub(super) fn why(course: &Course, chain: &Chain, uav: usize) -> Result<Value, Problem> {
-    let explanation = chain.explain(uav);
-    let Some(told) = explanation else {
+pub(super) fn why(course: &Course, chain: &Chain, last: Last, uav: usize) -> Result<Value, Problem> {
+    let Some(mut told) = chain.explain(uav) else {
         let count = course.spawns.len();
         return Err(Problem::new(if uav < count {
             format!("the law of UAV {uav} does not explain itself")
@@ -24,10 +23,11 @@ pub(super) fn why(course: &Course, chain: &Chain, uav: usize) -> Result<Value, P
         }));
     };
     let frame = chain.frame();
-    let body = frame.uavs.get(uav);
+    // Between two readings it steers by what it read last.
+    told.walls = told.walls.or(last.doing.and_then(|doing| doing.walls));
     let asks_mps = told.estimates.allowed_mps.map(|allowed_mps| allowed_mps * told.speed_share);
     let says = chain.says(uav);
-    let tof = body.and_then(|body| body.tof);
+    let tof = last.tof;
     let mut words = Vec::new();
     stage(course, &told, &mut words);
     if told.stage == Stage::Flying {
@@ -63,13 +63,9 @@ pub(super) fn why(course: &Course, chain: &Chain, uav: usize) -> Result<Value, P
         "wish_mps": told.wish_mps,
         "allowed_mps": told.estimates.allowed_mps,
         "asks_mps": asks_mps,
-        "overridden": told.overridden.map(kind),
+        "overridden": told.overridden.map(Override::word),
         "follow": word(told.follow),
-        "walls": told.walls.map(|walls| match walls {
-            Walls::Both => "both",
-            Walls::Left => "left",
-            Walls::Right => "right",
-        }),
+        "walls": told.walls.map(walls_word),
         "speed_share": told.speed_share,
         "backward": told.estimates.allowed_mps.is_some_and(|allowed_mps| allowed_mps < 0.0),
         "tof": tof.map(|tof| json!({ "nw_m": tof.nw_m, "ne_m": tof.ne_m, "sw_m": tof.sw_m, "se_m": tof.se_m })),
@@ -93,18 +89,6 @@ fn tells(packet: &Packet) -> Value {
 fn dead_band_db(course: &Course) -> f32 {
     let p = &course.scenario.equalize;
     if p.law == SpeedLaw::BangBang { p.tolerance_db.max(p.bang_band_db) } else { p.tolerance_db }
-}
-
-/// An override in a word.
-fn kind(reason: Override) -> &'static str {
-    match reason {
-        Override::NeverHeard => "never-heard",
-        Override::HeadStop => "head-stop",
-        Override::Retreat => "retreat",
-        Override::BackLost => "back-lost",
-        Override::FrontLost => "front-lost",
-        _ => "overridden",
-    }
 }
 
 /// On the ground, or on its way up.
@@ -138,6 +122,7 @@ fn forward(course: &Course, told: &Explanation, words: &mut Vec<String>) {
             words.push(format!("It leads, and does what its pilot asks for: {}.", flies(allowed_mps)));
         }
         Role::Head => words.push(format!("Its pilot asks for {}.", flies(told.wish_mps))),
+        Role::Relay if told.overridden == Some(Override::Spacing) => {}
         Role::Relay => words.push(levels(course, told)),
     }
 }
@@ -147,15 +132,6 @@ fn levels(course: &Course, told: &Explanation) -> String {
     let Some(imbalance_db) = told.imbalance_db else {
         return "It has not heard both of its neighbours yet, and stays.".to_owned();
     };
-    let near = |link: &LinkEstimate| link.filtered_db.is_some_and(|loss_db| loss_db < p.spacing_db);
-    if p.spacing && (near(&told.estimates.front) || near(&told.estimates.back)) {
-        let whom = if near(&told.estimates.front) { "ahead" } else { "behind" };
-        return format!(
-            "The UAV {whom} is nearer than {} dB, and it backs away from it: {}.",
-            p.spacing_db,
-            flies(told.wish_mps)
-        );
-    }
     let size_db = imbalance_db.abs();
     let band_db = dead_band_db(course);
     if size_db <= band_db && band_db > 0.0 {
@@ -196,6 +172,12 @@ fn overridden(course: &Course, told: &Explanation, reason: Override, allowed_mps
             silent_s(&told.estimates.front),
             p.lost_s
         ),
+        Override::Spacing => {
+            let p = &course.scenario.equalize;
+            let is_near = told.estimates.front.filtered_db.is_some_and(|loss_db| loss_db < p.spacing_db);
+            let whom = if is_near { "ahead" } else { "behind" };
+            format!("The UAV {whom} is nearer than {} dB, and it backs away from it: {flies}.", p.spacing_db)
+        }
         _ => format!("Its wish is overridden: {flies}."),
     }
 }
