@@ -6,15 +6,20 @@ import { Box } from "uchain/draw/plot/box.js";
 /** Room around the lines of one large box (pixels); the time line below has the same left and right. */
 export const AROUND = { left: 76, right: 66, top: 22, bottom: 22 };
 
+/** From this width on title and kinds of lines stand in one row (pixels). */
+export const WIDE_PX = 520;
+
 /** @param {import("uchain/draw/plot/spec.js").Spec[]} specs @param {number} width @param {number} height */
 export function layOut(specs, width, height) {
   const single = specs.length === 1;
-  const around = width < 480 ? { ...AROUND, left: 56, right: 58 } : AROUND;
+  // How lines look is told in a row of its own where the title leaves no room beside it.
+  const second = width < WIDE_PX && specs[0]?.scale === "loss" ? 16 : 0;
+  const around = { ...AROUND, ...(width < 480 ? { left: 56, right: 58 } : {}), top: AROUND.top + second };
   const columns = single ? 1 : specs.length === 2 ? (width > 620 ? 2 : 1) : gridColumns(specs.length, width, height);
   const rows = Math.ceil(specs.length / columns);
   const few = specs.length <= 2;
   const left = few ? around.left : 58;
-  const top = few ? 4 : 20;
+  const top = 20 + second;
   const bottom = 22;
   const cellWidth = (width - (few ? 0 : left + 6)) / columns;
   const cellHeight = (height - (few ? 0 : top + bottom)) / rows;

@@ -3,6 +3,7 @@
 
 import { app } from "uchain/app.js";
 import { palette, uavInk } from "uchain/draw/colours.js";
+import { WIDE_PX } from "uchain/draw/plot/layout.js";
 import { clock } from "uchain/panel/events.js";
 
 /** Names at line ends keep this apart (pixels). */
@@ -109,7 +110,8 @@ export class Readout {
     if (!pane?.explores) {
       context.fillText("loss of the link toward the base (dB)", 8, 5);
       const from = context.measureText("loss of the link toward the base (dB)").width + 24;
-      if (width > 520) styles(context, from, 11, colours, pane);
+      if (width < WIDE_PX) styles(context, 8, 27, colours);
+      else styles(context, from, 11, colours);
     } else {
       for (const box of boxes) context.fillText(box.spec.title, box.all.left + 8, box.all.top + 5);
     }
@@ -143,7 +145,7 @@ export class Readout {
 }
 
 /** How the three kinds of line look, drawn as they are. */
-function styles(context, x, y, colours, pane) {
+function styles(context, x, y, colours) {
   context.strokeStyle = context.fillStyle = colours.soft;
   context.textBaseline = "middle";
   for (const [name, dash, width] of /** @type {[string, number[], number][]} */ ([["filtered", [], 2], ["true", [5, 3], 1.4], ["raw", [], 0]])) {
