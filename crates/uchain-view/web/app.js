@@ -123,7 +123,8 @@ class App {
   }
 
   /**
-   * Opens a flight in a pane: `{kind: "scenario", ...}` or `{kind: "recording", label, bytes | base64}`.
+   * Opens a flight in a pane: `{kind: "scenario", ...}`, `{kind: "recording", label, bytes | base64}`, or
+   * `{kind: "map", asked, bytes}` with files of a map, which becomes a scenario.
    * Throws `EngineError`, and the pane is as it was.
    * @param {any} flight @param {number} [index]
    */
@@ -134,6 +135,9 @@ class App {
       const bytes = flight.bytes ?? Uint8Array.from(atob(flight.base64), (letter) => letter.charCodeAt(0));
       scene = engine.do("recording", { label: flight.label }, bytes);
       flight = { kind: "recording", label: flight.label, bytes };
+    } else if (flight.kind === "map") {
+      scene = engine.do("map", flight.asked, flight.bytes);
+      flight = engine.do("flight");
     } else {
       scene = engine.do("open", { flight });
     }

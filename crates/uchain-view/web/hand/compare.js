@@ -4,6 +4,7 @@ import { app } from "uchain/app.js";
 import { element } from "uchain/hand/element.js";
 import { differingKeys, short } from "uchain/hand/edit/differs.js";
 import { setting } from "uchain/hand/edit/toml.js";
+import { openSaid } from "uchain/hand/files/open.js";
 import { editPane } from "uchain/hand/edit.js";
 import { views } from "uchain/draw/stage.js";
 import { show as showTab } from "uchain/panel/tabs.js";
@@ -162,7 +163,7 @@ async function open(pane, change) {
     }
   }
   const { cursor } = app;
-  await app.open(flight, 1);
+  await openSaid(flight, 1);
   app.seek(cursor);
   if (change) app.play();
   else {

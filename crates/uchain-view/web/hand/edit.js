@@ -8,12 +8,15 @@ import { Cards } from "uchain/hand/edit/cards.js";
 import { CornerHandles } from "uchain/hand/edit/handles.js";
 import { TextPanel } from "uchain/hand/edit/text.js";
 import { keyAt, lineOf, setting, statements } from "uchain/hand/edit/toml.js";
+import { openSaid } from "uchain/hand/files/open.js";
 import { saveText } from "uchain/hand/files/save.js";
 import { show as showTab } from "uchain/panel/tabs.js";
 import { key } from "uchain/panel/keys.js";
 
 /** Checked so long after the last key (ms). */
 const CHECK_MS = 250;
+/** Walls longer than this take too long to be laid out while somebody types (letters). */
+const MOST_WALLS = 100_000;
 /** A text longer than this is no scenario of anybody's. */
 const MOST_LETTERS = 4_000_000;
 
@@ -178,9 +181,10 @@ function check() {
   if (text.text.length > MOST_LETTERS) return verdictIs("error", "This text is longer than any scenario: 4 million letters are read.");
   try {
     const ok = looked(of);
-    const notes = (ok.notes ?? []).join("; ");
     lastError = null;
     text.mark(null);
+    if (!ok) return verdictIs("ok", "Nothing wrong so far; in a map as large as this one the rest is looked at with Ctrl+Enter.") || true;
+    const notes = (ok.notes ?? []).join("; ");
     const crew = Number.isFinite(ok.crew) ? `${ok.crew} ${ok.mission === "exploration" ? "robots" : "UAVs"}, ` : "";
     const due = text.text === of.scene.text ? "" : " Ctrl+Enter flies it.";
     return verdictIs("ok", `Right: ${crew}${ok.duration_s} s.${notes && ` Note: ${notes}.`}${due}`) || true;
@@ -212,10 +216,21 @@ function verdictIs(kind, words) {
 
 /** What the engine makes of the text. In walls of a map file it is laid out in an engine beside, which flies nothing. */
 function looked(of) {
+  // What flies is right.
+  if (text.text === of.scene.text) return of.scene;
   const walls = carried(of);
-  if (!walls.walls_csv) return of.engine.do("check", { text: text.text, label: labelOf(of) });
-  if (!beside) throw new Error("The engine for maps is still starting: type on.");
+  if (!walls.walls_csv || !beside || walls.walls_csv.length > MOST_WALLS) return unlaid(of, Boolean(walls.walls_csv));
   return beside.do("open", { flight: { ...walls, kind: "scenario", label: labelOf(of), text: text.text, seed: 1 } });
+}
+
+/** The text alone; `hasWalls`: that its map is a file which is not there is no error, for its walls are here. */
+function unlaid(of, hasWalls) {
+  try {
+    return of.engine.do("check", { text: text.text, label: labelOf(of) });
+  } catch (error) {
+    if (!hasWalls || !/^map\.\w+\.file$/.test(error.key ?? "")) throw error;
+    return null;
+  }
 }
 
 const labelOf = (of) => drafts.get(of)?.label ?? of.scene.label ?? `${of.scene.name}.toml`;
@@ -256,7 +271,7 @@ async function fly() {
   const isOther = Boolean(drafts.get(of)?.label);
   const inputs = sameInputs.checked && !isOther ? inputsOf(of) : [];
   try {
-    await app.open({ ...carried(of), kind: "scenario", label: labelOf(of), text: flown, seed: number, inputs }, app.panes.indexOf(of));
+    await openSaid({ ...carried(of), kind: "scenario", label: labelOf(of), text: flown, seed: number, inputs }, app.panes.indexOf(of));
     drafts.delete(of);
     app.play();
   } catch (error) {

@@ -2,11 +2,11 @@
 // in them the engine judges; where it refuses, what was flown goes on.
 
 import { app } from "uchain/app.js";
-import { Engine } from "uchain/engine.js";
 import { element } from "uchain/hand/element.js";
 import { editText, plainly, waitingForMap } from "uchain/hand/edit.js";
 import { bytesOf, FileError, flightOf, kindOf, READS, sorted, textOf } from "uchain/hand/files/kinds.js";
 import { menu } from "uchain/hand/files/menu.js";
+import { openSaid } from "uchain/hand/files/open.js";
 import { saveFlight, saveRecording, saveToml, stem } from "uchain/hand/files/save.js";
 import { askForLink } from "uchain/hand/share.js";
 import { key } from "uchain/panel/keys.js";
@@ -90,7 +90,7 @@ export async function take(files) {
 }
 
 async function flown(flight) {
-  await app.open(flight);
+  await openSaid(flight);
   app.play();
 }
 
@@ -129,9 +129,7 @@ async function takeMap(files, scenario, cell_m = null) {
   const waiting = waitingForMap();
   if (scenario) Object.assign(args, { text: await textOf(scenario), label: scenario.name });
   else if (waiting) Object.assign(args, waiting);
-  const engine = await Engine.start();
-  engine.do("map", args, whole);
-  await flown(engine.do("flight"));
+  await flown({ kind: "map", label: files[0].name, asked: args, bytes: whole });
 }
 
 /** A ROS map's yaml came without its picture. */

@@ -4,6 +4,7 @@
 import { app } from "uchain/app.js";
 import { element } from "uchain/hand/element.js";
 import { fromLink, MOST_LINK, toHash } from "uchain/hand/files/link.js";
+import { openSaid } from "uchain/hand/files/open.js";
 import { FileError } from "uchain/hand/files/kinds.js";
 import { CANNOT, flightJson, saveFlight } from "uchain/hand/files/save.js";
 
@@ -25,7 +26,7 @@ export async function linked() {
 
 async function open(link) {
   const flight = await fromLink(link);
-  await app.open(flight);
+  await openSaid(flight);
   app.play();
 }
 
