@@ -2,15 +2,41 @@
 // The events of the flight as a list: the newest up to the cursor first; a click goes there. Also says them to screen readers.
 
 import { app } from "uchain/app.js";
-import { clock, countTo, happened, lookOf } from "uchain/panel/time/happened.js";
+import { clock, countTo, hidden, listed, lookOf, rows } from "uchain/panel/time/happened.js";
 
 export { clock };
 
 /** So many are listed at once: those around the cursor. */
 const SHOWN = 120;
 
-let listed = "";
+let made = "";
 let said = 0;
+/** The buttons above the list. @type {HTMLElement} */
+let filtered;
+
+/** Who it is about; what happened; the numbers and reasons. */
+const PARTS = /^((?:[AB], )?(?:UAV|robot) \d+(?:, the head)?: )?(.*?)((?::|,| \().*)?$/s;
+
+/** Which rows are listed: a button for each. */
+function filters() {
+  const bar = document.createElement("div");
+  bar.className = "filters";
+  bar.setAttribute("role", "group");
+  bar.setAttribute("aria-label", "Which events are listed");
+  for (const { words } of rows()) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = words;
+    button.setAttribute("aria-pressed", String(!hidden.has(words)));
+    button.addEventListener("click", () => {
+      if (!hidden.delete(words)) hidden.add(words);
+      button.setAttribute("aria-pressed", String(!hidden.has(words)));
+      app.redraw();
+    });
+    bar.append(button);
+  }
+  return bar;
+}
 
 function line(/** @type {any} */ event) {
   const button = document.createElement("button");
@@ -22,7 +48,10 @@ function line(/** @type {any} */ event) {
   mark.textContent = lookOf(event).sign;
   mark.setAttribute("aria-hidden", "true");
   const words = document.createElement("span");
-  words.textContent = event.text;
+  const [, who, what, more] = /** @type {RegExpMatchArray} */ (PARTS.exec(event.text));
+  const details = document.createElement("small");
+  details.textContent = more;
+  words.append(`${who ?? ""}${what}`, details);
   button.append(time, mark, words);
   button.addEventListener("click", () => {
     app.pause();
@@ -35,12 +64,12 @@ function line(/** @type {any} */ event) {
 function show() {
   const place = /** @type {HTMLElement} */ (document.getElementById("events"));
   if (!app.panes.length || place.hidden) return;
-  const { events, version } = happened();
+  const { events, state: version } = listed();
   const upTo = countTo(events, app.cursor);
   const from = Math.max(0, upTo - SHOWN);
   const state = `${version} ${from} ${upTo}`;
-  if (state === listed) return;
-  listed = state;
+  if (state === made) return;
+  made = state;
   const lines = events.slice(from, upTo).reverse().map(line);
   if (!lines.length) {
     const none = document.createElement("p");
@@ -48,12 +77,12 @@ function show() {
     none.textContent = "Nothing has happened yet: launches, lost links, contacts and what overrides a UAV are listed here.";
     lines.push(/** @type {any} */ (none));
   }
-  place.replaceChildren(...lines);
+  place.replaceChildren(filtered, ...lines);
 }
 
 /** Says what has just happened, while it is played slowly enough to be heard. */
 function speak() {
-  const { events } = happened();
+  const { events } = listed();
   const upTo = countTo(events, app.cursor);
   const fresh = events.slice(said, upTo);
   said = upTo;
@@ -68,11 +97,13 @@ export function start() {
     speak();
   });
   app.on("tab", () => {
-    listed = "";
+    made = "";
     app.redraw();
   });
+  filtered = filters();
   app.on("scene", () => {
-    listed = "";
+    filtered = filters();
+    made = "";
     said = 0;
   });
 }

@@ -3,20 +3,54 @@
 
 import { app } from "uchain/app.js";
 
-/** Rows of the time line, top to bottom: which kinds of events. */
-export const ROWS = [
-  { words: "launches", kinds: /took-off|launch|failed|purpose|^over$|^level$/ },
-  { words: "links", kinds: /link/ },
-  { words: "contacts", kinds: /contact|level-pass/ },
-  { words: "overrides", kinds: /./ },
+/** Rows of the time line, top to bottom: which kinds of events, and their sign. */
+const CHAIN = [
+  { words: "launches", kinds: /took-off|launch|failed|^over$/, sign: "▲" },
+  { words: "links", kinds: /link/, sign: "●" },
+  { words: "contacts", kinds: /contact/, sign: "◆" },
+  { words: "overrides", kinds: /override/, sign: "■" },
+  { words: "walls", kinds: /./, sign: "▪" },
 ];
-/** The row of an event's mark, and its sign. @param {{kind: string}} event */
-export function lookOf(event) {
-  const row = ROWS.findIndex(({ kinds }) => kinds.test(event.kind));
-  if (/failed|link-lost/.test(event.kind)) return { row, sign: "✕" };
-  if (/^launch-/.test(event.kind)) return { row, sign: "△" };
-  return { row, sign: ["▲", "●", "◆", "■"][row] };
+const EXPLORATION = [
+  { words: "purposes", kinds: /purpose|^over$/, sign: "▲" },
+  { words: "contacts", kinds: /contact|level-pass/, sign: "◆" },
+  { words: "holds, levels", kinds: /./, sign: "■" },
+];
+
+/** Words of rows that neither the list nor the keys stop at. @type {Set<string>} */
+export const hidden = new Set(["walls"]);
+
+/** The rows of what is flown. */
+export function rows() {
+  return app.panes[0]?.explores ? EXPLORATION : CHAIN;
 }
+
+/** The row of an event, and its sign. @param {{kind: string}} event */
+export function lookOf({ kind }) {
+  const all = rows();
+  const row = Math.max(0, all.findIndex(({ kinds }) => kinds.test(kind)));
+  if (/failed|link-lost/.test(kind)) return { row, sign: "✕" };
+  return { row, sign: kind.startsWith("launch-") ? "△" : all[row].sign };
+}
+
+/** How much an event matters among others beside it. @param {{kind: string, gravity: string}} event */
+export function weightOf({ kind, gravity }) {
+  const grave = { error: 4, warning: 3 }[gravity] ?? 0;
+  return grave || (/took-off|override-begins/.test(kind) ? 2 : 1);
+}
+
+/** The events that the list and the keys stop at. */
+export function listed() {
+  const { events, version } = happened();
+  const state = `${version} ${[...hidden]}`;
+  if (state !== kept.state) {
+    const all = rows();
+    kept = { state, events: events.filter((event) => !hidden.has(all[lookOf(event).row].words)) };
+  }
+  return kept;
+}
+
+let kept = { state: "", events: /** @type {any[]} */ ([]) };
 
 /** How many of `events` are not after `tick`. @param {any[]} events @param {number} tick */
 export function countTo(events, tick) {

@@ -3,10 +3,9 @@
 
 import { app } from "uchain/app.js";
 import { uavInk } from "uchain/draw/colours.js";
-import { clock, happened, lookOf, ROWS } from "uchain/panel/time/happened.js";
+import { clock, happened, lookOf, rows, weightOf } from "uchain/panel/time/happened.js";
 import { drawBars, spansOf } from "uchain/panel/time/spans.js";
 
-const EXPLORING = ["purposes", "", "contacts", "holds"];
 /** Kinds that only end what another began: a bar says so, and no mark. */
 const ENDS = /-ends$|^wall-valid$|^link-found$|^launch-disarmed$/;
 
@@ -58,14 +57,15 @@ export class Marks {
     if (state === this.#made || (now < this.#made_ms + EVERY_MS && !pane.stopped)) return;
     if (this.box.contains(document.activeElement) && !pane.stopped) return;
     [this.#made, this.#made_ms] = [state, now];
-    this.#rows(pane);
-    drawBars(this.bars, spansOf(events, app.edge), width);
+    this.#rows();
+    drawBars(this.bars, spansOf(events, app.edge), width, rows().length);
     this.box.replaceChildren(...gather(events, width).map((mark, i) => this.#button(mark, i === 0)));
   }
 
-  #rows(pane) {
-    const words = pane.explores ? EXPLORING : ROWS.map((row) => row.words);
+  #rows() {
+    const words = rows().map((row) => row.words);
     if (this.names.textContent === words.join("")) return;
+    this.names.parentElement?.style.setProperty("--rows", String(words.length));
     this.names.replaceChildren(
       ...words.map((text) => {
         const name = document.createElement("span");
@@ -79,13 +79,12 @@ export class Marks {
   #button(mark, first) {
     const button = document.createElement("button");
     button.type = "button";
-    const gravest = ["error", "warning"].find((gravity) => mark.events.some((event) => event.gravity === gravity)) ?? "info";
-    button.className = `mark ${gravest}`;
+    const shown = mark.events.reduce((most, event) => (weightOf(event) > weightOf(most) ? event : most));
+    button.className = `mark ${shown.gravity}`;
     button.style.left = `${mark.x}px`;
-    button.style.top = `${mark.row * 25}%`;
-    const shown = mark.events.find((event) => event.gravity === gravest);
+    button.style.top = `${(mark.row * 100) / rows().length}%`;
     button.textContent = lookOf(shown).sign;
-    if (gravest === "info" && shown.uav !== null) button.style.color = uavInk(shown.uav);
+    if (weightOf(shown) < 3 && shown.uav !== null) button.style.color = uavInk(shown.uav);
     button.tabIndex = first ? 0 : -1;
     button.setAttribute("aria-label", wordsOf(mark).replaceAll("\n", ". "));
     button.addEventListener("click", () => {

@@ -3,18 +3,20 @@
 
 import { app } from "uchain/app.js";
 import { uavColour } from "uchain/draw/colours.js";
+import { lookOf } from "uchain/panel/time/happened.js";
 
-/** What begins, what ends it, and the row of the time line it is in. */
+/** What begins, and what ends it. */
 const PAIRS = [
-  { begins: /^launch-(armed|held)$/, ends: /^(launch-disarmed|took-off)$/, row: 0 },
-  { begins: /^link-lost$/, ends: /^link-found$/, row: 1 },
-  { begins: /^override-begins$/, ends: /^override-ends$/, row: 3 },
-  { begins: /^wall-invalid$/, ends: /^wall-valid$/, row: 3 },
-  { begins: /^holds$/, ends: /^hold-ends$/, row: 3 },
-  { begins: /^keeps-clear$/, ends: /^keeps-clear-ends$/, row: 3 },
+  { begins: /^launch-(armed|held)$/, ends: /^(launch-disarmed|took-off)$/ },
+  { begins: /^link-lost$/, ends: /^link-found$/ },
+  { begins: /^override-begins$/, ends: /^override-ends$/ },
+  { begins: /^wall-invalid$/, ends: /^wall-valid$/ },
+  { begins: /^holds$/, ends: /^hold-ends$/ },
+  { begins: /^keeps-clear$/, ends: /^keeps-clear-ends$/ },
 ];
 /** Heights of a row and of a bar in it (pixels); bars of a row lie in so many lanes. */
-const [ROW_PX, BAR_PX, LANES] = [14, 3, 4];
+const ROW_PX = 13;
+const [BAR_PX, LANES] = [3, 4];
 
 /** @typedef {{from: number, to: number, row: number, uav: number}} Span */
 
@@ -28,15 +30,16 @@ export function spansOf(events, edge) {
   const spans = [];
   /** @type {Map<string, Span>} */
   const open = new Map();
-  for (const { kind, uav, tick, text, pane } of events) {
-    PAIRS.forEach(({ begins, ends, row }, i) => {
-      const name = `${i} ${pane} ${uav} ${row === 3 ? wordOf(text) : ""}`;
+  for (const event of events) {
+    const { kind, uav, tick, text, pane } = event;
+    PAIRS.forEach(({ begins, ends }, i) => {
+      const name = `${i} ${pane} ${uav} ${kind.startsWith("override") ? wordOf(text) : ""}`;
       const begun = open.get(name);
       if (ends.test(kind) && begun) {
         begun.to = tick;
         open.delete(name);
       } else if (begins.test(kind) && !begun) {
-        const span = { from: tick, to: edge, row, uav: uav ?? 0 };
+        const span = { from: tick, to: edge, row: lookOf(event).row, uav: uav ?? 0 };
         open.set(name, span);
         spans.push(span);
       }
@@ -45,11 +48,11 @@ export function spansOf(events, edge) {
   return spans;
 }
 
-/** @param {HTMLCanvasElement} canvas @param {Span[]} spans @param {number} width */
-export function drawBars(canvas, spans, width) {
+/** @param {HTMLCanvasElement} canvas @param {Span[]} spans @param {number} width @param {number} rows */
+export function drawBars(canvas, spans, width, rows) {
   const ratio = Math.min(3, window.devicePixelRatio || 1);
   canvas.width = Math.round(width * ratio);
-  canvas.height = Math.round(4 * ROW_PX * ratio);
+  canvas.height = Math.round(rows * ROW_PX * ratio);
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   context.scale(ratio, ratio);
   const perTick = width / Math.max(1, app.end);

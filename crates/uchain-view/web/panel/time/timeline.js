@@ -3,7 +3,7 @@
 
 import { app, RATES } from "uchain/app.js";
 import { key } from "uchain/panel/keys.js";
-import { clock, countTo, happened } from "uchain/panel/time/happened.js";
+import { clock, countTo, listed } from "uchain/panel/time/happened.js";
 import { Marks } from "uchain/panel/time/marks.js";
 
 /** @type {Record<string, HTMLElement>} */
@@ -36,7 +36,7 @@ function faster(by) {
 
 /** To the next or the last event, and says it. @param {number} by */
 function jump(by) {
-  const { events } = happened();
+  const { events } = listed();
   const upTo = countTo(events, app.cursor);
   const next = by > 0 ? events[upTo] : events.slice(0, upTo).findLast((event) => event.tick < app.cursor);
   if (!next) return;
