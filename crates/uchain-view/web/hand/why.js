@@ -111,30 +111,28 @@ function fill(node, pane) {
     node.append(element("p", { className: "quiet" }, "Flying up to here again …"));
     return false;
   }
-  remember(pane, uav, why);
   const [first, ...more] = why.words ?? [];
   const parts = [
     element("p", { className: "why-role" }, `UAV ${uav}, ${[why.role, why.stage].filter(Boolean).join(", ")}${Number.isInteger(why.place) ? `, place ${why.place} of the chain` : ""}`),
     element("p", { className: "why-first" }, first ?? ""),
     more.length > 0 && element("ul", { className: "why-more" }, ...more.map((line) => element("li", {}, line))),
     ...drawings(why, uav, pane),
-    tells(why),
+    why.tells && tells(lastTold(pane, uav, why)),
   ];
   node.append(...parts.filter(Boolean));
   return true;
 }
 
-/** Distances are measured every few ticks; in between, the walls that were steered by last are still steered by. */
-const wallsOf = new WeakMap();
-const WALLS_TICKS = 10;
+/** What each UAV told last: it speaks when it decides, and senses how fast it is only then. */
+const toldOf = new WeakMap();
 
-function remember(pane, uav, why) {
-  const all = wallsOf.get(pane) ?? new Map();
-  wallsOf.set(pane, all);
-  if (why.tof) all.set(uav, { tick: why.tick, walls: why.walls });
+function lastTold(pane, uav, why) {
+  const all = toldOf.get(pane) ?? new Map();
+  toldOf.set(pane, all);
+  if (pane.frame?.decision && pane.frame.tick === why.tick) all.set(uav, { tick: why.tick, tells: why.tells });
   const last = all.get(uav);
-  why.walls_known = Boolean(last && Math.abs(why.tick - last.tick) <= WALLS_TICKS);
-  if (!why.tof && why.walls_known) why.walls = last.walls;
+  const isLast = last && why.tick >= last.tick && why.tick - last.tick < pane.scene.chain.decision_ticks;
+  return isLast ? last.tells : { ...why.tells, ground_speed_mps: null };
 }
 
 function drawings(why, uav, pane) {
@@ -176,10 +174,10 @@ function drawings(why, uav, pane) {
     element(
       "div",
       { className: "why-walls" },
-      beamsDrawing(frame?.uavs?.[uav]?.tof ?? null, { range_m: chain.tof_range_m, walls: why.walls ?? null, colour: uavColour(uav), number: uav }),
+      beamsDrawing(why.tof ?? null, { range_m: chain.tof_range_m, walls: why.walls ?? null, colour: uavColour(uav), number: uav }),
       element("dl", {}, ...pairs([
         ["at a branch", { centre: "straight on", left: "left", right: "right" }[why.follow] ?? why.follow],
-        ["steers by", why.walls_known ? ({ both: "both walls", left: "the left wall", right: "the right wall" }[why.walls] ?? "no wall") : null],
+        ["steers by", why.tof ? ({ both: "both walls", left: "the left wall", right: "the right wall" }[why.walls] ?? "no wall") : null],
         ["flies", why.backward ? "backward: its rear beams lead" : null],
         ["walls leave it", Number.isFinite(why.speed_share) ? `${shown(100 * why.speed_share, 0)} % of its speed` : null],
       ])),
@@ -188,9 +186,7 @@ function drawings(why, uav, pane) {
   return made;
 }
 
-function tells(why) {
-  const said = why.tells;
-  if (!said) return null;
+function tells(said) {
   return element("details", { className: "why-tells", open: true }, element("summary", {}, "What it tells the others"), element("dl", {}, ...pairs([
     ["its place", said.place],
     ["ground speed", Number.isFinite(said.ground_speed_mps) ? shown(said.ground_speed_mps, 2, "m/s", true) : null],
