@@ -25,12 +25,20 @@ export function rows() {
   return app.panes[0]?.explores ? EXPLORATION : CHAIN;
 }
 
+/** Kinds are few and events many: each kind is looked at once. @type {Map<string, {row: number, sign: string}>} */
+const looks = new Map();
+
 /** The row of an event, and its sign. @param {{kind: string}} event */
 export function lookOf({ kind }) {
   const all = rows();
+  const name = `${kind} ${all.length}`;
+  const known = looks.get(name);
+  if (known) return known;
   const row = Math.max(0, all.findIndex(({ kinds }) => kinds.test(kind)));
-  if (/failed|link-lost/.test(kind)) return { row, sign: "✕" };
-  return { row, sign: kind.startsWith("launch-") ? "△" : all[row].sign };
+  const sign = /failed|link-lost/.test(kind) ? "✕" : kind.startsWith("launch-") ? "△" : all[row].sign;
+  const look = { row, sign };
+  looks.set(name, look);
+  return look;
 }
 
 /** How much an event matters among others beside it. @param {{kind: string, gravity: string}} event */

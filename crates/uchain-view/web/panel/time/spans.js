@@ -20,6 +20,19 @@ const [BAR_PX, LANES] = [3, 4];
 
 /** @typedef {{from: number, to: number, row: number, uav: number}} Span */
 
+/** @type {Map<string, [number, boolean][]>} */
+const parts = new Map();
+
+/** Of which pairs a kind is the beginning (true) or the end (false). @param {string} kind */
+function partsOf(kind) {
+  let known = parts.get(kind);
+  if (!known) {
+    known = PAIRS.flatMap(({ begins, ends }, i) => /** @type {[number, boolean][]} */ (ends.test(kind) ? [[i, false]] : begins.test(kind) ? [[i, true]] : []));
+    parts.set(kind, known);
+  }
+  return known;
+}
+
 /** What an override is called: the word in brackets. @param {string} text */
 function wordOf(text) {
   return /\(([a-z-]+)\)/.exec(text)?.[1] ?? "";
@@ -32,18 +45,18 @@ export function spansOf(events, edge) {
   const open = new Map();
   for (const event of events) {
     const { kind, uav, tick, text, pane } = event;
-    PAIRS.forEach(({ begins, ends }, i) => {
+    for (const [i, begins] of partsOf(kind)) {
       const name = `${i} ${pane} ${uav} ${kind.startsWith("override") ? wordOf(text) : ""}`;
       const begun = open.get(name);
-      if (ends.test(kind) && begun) {
+      if (!begins && begun) {
         begun.to = tick;
         open.delete(name);
-      } else if (begins.test(kind) && !begun) {
+      } else if (begins && !begun) {
         const span = { from: tick, to: edge, row: lookOf(event).row, uav: uav ?? 0 };
         open.set(name, span);
         spans.push(span);
       }
-    });
+    }
   }
   return spans;
 }
