@@ -2,10 +2,11 @@
 
 import { app } from "uchain/app.js";
 import { element, shown } from "uchain/hand/element.js";
-import { beamsDrawing } from "uchain/hand/why/beams.js";
 import { linksDrawing } from "uchain/hand/why/links.js";
+import { recordedPart } from "uchain/hand/why/recorded.js";
 import { robotWhy } from "uchain/hand/why/robot.js";
 import { speedDrawing } from "uchain/hand/why/speed.js";
+import { pairs, wallsPart, wayOf } from "uchain/hand/why/walls.js";
 import { linkColour, uavColour } from "uchain/draw/colours.js";
 
 /** Asked so often while it plays (ms): the engine may have to fly a stretch again for it. */
@@ -98,12 +99,12 @@ function fill(node, pane) {
     node.append(element("p", { className: "quiet" }, `There is no ${scene.robot} ${uav} in this flight.`));
     return true;
   }
-  if (scene.recorded && !scene.flies_again) {
-    node.append(element("p", { className: "quiet" }, "This recording cannot be flown again here, and only a flight that flies knows why: a recording holds what was seen, not what was thought."));
-    return true;
-  }
   if (pane.explores) {
     node.append(...robotWhy(frame?.robots?.[uav], uav, scene));
+    return true;
+  }
+  if (scene.recorded && !scene.flies_again) {
+    node.append(...recordedPart(frame, uav, scene));
     return true;
   }
   const why = pane.engine.do("why", { tick: Math.min(app.cursor, pane.tick), uav });
@@ -165,24 +166,13 @@ function drawings(why, uav, pane) {
         { name: "its law wishes", mps: why.wish_mps, kind: "pilot" },
         { name: "allowed", mps: why.allowed_mps, kind: "allowed" },
       ];
+  const doing = frame?.uavs?.[uav]?.doing;
+  if (doing?.launch) made.push(element("p", { className: "why-override" }, "Its launch: ", element("strong", {}, doing.launch)));
   if (why.stage !== "flying") return made;
   marks.push({ name: "flies", mps: frame?.uavs?.[uav]?.forward_mps, kind: "asked" });
   made.push(element("h4", {}, "Forward speed"), speedDrawing(marks, chain.v_max_mps, { label: "Forward speed" }));
   if (why.overridden) made.push(element("p", { className: "why-override" }, "Overridden: ", element("strong", {}, String(why.overridden).replaceAll("-", " "))));
-  made.push(
-    element("h4", {}, "Between the walls"),
-    element(
-      "div",
-      { className: "why-walls" },
-      beamsDrawing(why.tof ?? null, { range_m: chain.tof_range_m, walls: why.walls ?? null, colour: uavColour(uav), number: uav }),
-      element("dl", {}, ...pairs([
-        ["at a branch", { centre: "straight on", left: "left", right: "right" }[why.follow] ?? why.follow],
-        ["steers by", why.tof ? ({ both: "both walls", left: "the left wall", right: "the right wall" }[why.walls] ?? "no wall") : null],
-        ["flies", why.backward ? "backward: its rear beams lead" : null],
-        ["walls leave it", Number.isFinite(why.speed_share) ? `${shown(100 * why.speed_share, 0)} % of its speed` : null],
-      ])),
-    ),
-  );
+  made.push(...wallsPart({ ...why, pushed_by: doing?.pushed_by }, chain, uav));
   return made;
 }
 
@@ -191,12 +181,8 @@ function tells(said) {
     ["its place", said.place],
     ["ground speed", Number.isFinite(said.ground_speed_mps) ? shown(said.ground_speed_mps, 2, "m/s", true) : null],
     ["in the air for", Number.isFinite(said.flown_s) ? shown(said.flown_s, 1, "s") : null],
-    ["wall choice", { centre: "straight on", left: "left", right: "right" }[said.follow] ?? said.follow],
+    ["wall choice", wayOf(said.follow)],
     ["imbalance", Number.isFinite(said.imbalance_db) ? shown(said.imbalance_db, 1, "dB", true) : null],
     ["battery", Number.isFinite(said.battery) ? `${shown(100 * said.battery, 0)} %` : null],
   ])));
-}
-
-function pairs(rows) {
-  return rows.filter(([, value]) => value !== null && value !== undefined && value !== "").flatMap(([word, value]) => [element("dt", {}, word), element("dd", {}, String(value))]);
 }
