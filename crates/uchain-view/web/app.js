@@ -219,7 +219,7 @@ class App {
     const passed_s = Math.min(0.1, Math.max(0, (now_ms - this.#last_ms) / 1000));
     this.#last_ms = now_ms;
     if (!this.panes.length) return;
-    const until = began + Math.max(FLY_MS, FRAME_MS - 1.5 - this.#draw_ms);
+    const until = began + Math.max(FLY_MS, FRAME_MS - 2.5 - this.#draw_ms);
     const target = this.#position + (this.#playing ? (passed_s * this.#rate) / this.tick_s : 0);
     const reach = this.#wanted ?? (this.#mode === "fly" ? Math.floor(target) : Infinity);
     for (const pane of this.panes) this.#fly(pane, reach, until);

@@ -12,7 +12,7 @@ const ENDS = /-ends$|^wall-valid$|^link-found$|^launch-disarmed$/;
 /** Events nearer than this are one mark (pixels). */
 const NEAR_PX = 13;
 /** Marks are made again at most this often (ms). */
-const EVERY_MS = 250;
+const EVERY_MS = 500;
 /** So many events of a mark are told in words. */
 const TOLD = 6;
 
