@@ -2,27 +2,29 @@
 // The events of the flight as a list: the newest up to the cursor first; a click goes there. Also says them to screen readers.
 
 import { app } from "uchain/app.js";
+import { show as showTab } from "uchain/panel/tabs.js";
 import { clock, countTo, hidden, listed, lookOf, rows } from "uchain/panel/time/happened.js";
 
 export { clock };
 
 /** So many are listed at once: those around the cursor. */
-const SHOWN = 120;
+const SHOWN = 80;
 
 let made = "";
 let said = 0;
-/** The buttons above the list. @type {HTMLElement} */
-let filtered;
+/** Where the lines are, below the buttons that choose them. */
+const list = document.createElement("div");
+/** The lines that are shown, by their events. @type {Map<any, HTMLElement>} */
+let lines = new Map();
 
 /** Who it is about; what happened; the numbers and reasons. */
 const PARTS = /^((?:[AB], )?(?:UAV|robot) \d+(?:, the head)?: )?(.*?)((?::|,| \().*)?$/s;
 
+const bar = document.createElement("div");
+
 /** Which rows are listed: a button for each. */
-function filters() {
-  const bar = document.createElement("div");
-  bar.className = "filters";
-  bar.setAttribute("role", "group");
-  bar.setAttribute("aria-label", "Which events are listed");
+function filter() {
+  bar.replaceChildren();
   for (const { words } of rows()) {
     const button = document.createElement("button");
     button.type = "button";
@@ -35,7 +37,6 @@ function filters() {
     });
     bar.append(button);
   }
-  return bar;
 }
 
 function line(/** @type {any} */ event) {
@@ -56,7 +57,11 @@ function line(/** @type {any} */ event) {
   button.addEventListener("click", () => {
     app.pause();
     app.seek(event.tick);
-    if (event.uav !== null) app.selected = event.uav;
+    if (event.uav === null) return;
+    app.selected = event.uav;
+    // Who asks why goes there; who reads the list stays in it.
+    showTab("events");
+    button.focus({ preventScroll: true });
   });
   return button;
 }
@@ -70,14 +75,19 @@ function show() {
   const state = `${version} ${from} ${upTo}`;
   if (state === made) return;
   made = state;
-  const lines = events.slice(from, upTo).reverse().map(line);
-  if (!lines.length) {
-    const none = document.createElement("p");
-    none.className = "none";
-    none.textContent = "Nothing has happened yet: launches, lost links, contacts and what overrides a UAV are listed here.";
-    lines.push(/** @type {any} */ (none));
-  }
-  place.replaceChildren(filtered, ...lines);
+  const before = lines;
+  const focused = document.activeElement;
+  lines = new Map(events.slice(from, upTo).reverse().map((event) => [event, before.get(event) ?? line(event)]));
+  list.replaceChildren(...(lines.size ? lines.values() : [nothing()]));
+  // A line that was moved has lost the focus.
+  if (focused instanceof HTMLElement && focused !== document.activeElement && list.contains(focused)) focused.focus({ preventScroll: true });
+}
+
+function nothing() {
+  const none = document.createElement("p");
+  none.className = "none";
+  none.textContent = "Nothing has happened yet: launches, lost links, contacts and what overrides a UAV are listed here.";
+  return none;
 }
 
 /** Says what has just happened, while it is played slowly enough to be heard. */
@@ -100,9 +110,12 @@ export function start() {
     made = "";
     app.redraw();
   });
-  filtered = filters();
+  bar.className = "filters";
+  bar.setAttribute("role", "group");
+  bar.setAttribute("aria-label", "Which events are listed");
+  document.getElementById("events")?.append(bar, list);
   app.on("scene", () => {
-    filtered = filters();
+    filter();
     made = "";
     said = 0;
   });
