@@ -9,6 +9,9 @@ import { shown } from "uchain/panel/layers.js";
 export const FRONTIER = { light: "#B0438A", dark: "#E79AC4" };
 export const STAR = { light: "#0072B2", dark: "#56B4E9" };
 
+/** So many stars are drawn in a frame; the others follow in the next ones. */
+const STARS_AT_ONCE = 250;
+
 /** The robot at a pixel. @param {any} pane @param {import("uchain/draw/map/view.js").View} view @param {number} px @param {number} py */
 export function nearestRobot(pane, view, px, py) {
   return nearest(pane.frame.robots, view, px, py, discPx(pane, view) + 6);
@@ -17,6 +20,7 @@ export function nearestRobot(pane, view, px, py) {
 /** What the robots of one flight have drawn up, as a picture that grows with the cursor. */
 export class Explored {
   #stars = document.createElement("canvas");
+  #outlines = document.createElement("canvas");
   #edges = document.createElement("canvas");
   #state = "";
   /** How many nodes, labels and edges are in the pictures. */
@@ -35,6 +39,8 @@ export class Explored {
     if (shown.stars) {
       context.globalAlpha = colours.dark ? 0.34 : 0.26;
       context.drawImage(this.#stars, 0, 0, view.width, view.height);
+      context.globalAlpha = 0.3;
+      context.drawImage(this.#outlines, 0, 0, view.width, view.height);
       context.globalAlpha = 1;
     }
     if (shown.graph) context.drawImage(this.#edges, 0, 0, view.width, view.height);
@@ -44,7 +50,7 @@ export class Explored {
   }
 
   #begin(view, ratio) {
-    for (const canvas of [this.#stars, this.#edges]) {
+    for (const canvas of [this.#stars, this.#outlines, this.#edges]) {
       canvas.width = Math.round(view.width * ratio);
       canvas.height = Math.round(view.height * ratio);
     }
@@ -59,9 +65,16 @@ export class Explored {
     this.#tick = tick;
     const done = this.#done;
     const star = this.#context(this.#stars, ratio);
-    star.fillStyle = colours.dark ? STAR.dark : STAR.light;
+    const outline = this.#context(this.#outlines, ratio);
+    star.fillStyle = outline.strokeStyle = colours.dark ? STAR.dark : STAR.light;
+    outline.lineWidth = 0.8;
+    const most = done.nodes + STARS_AT_ONCE;
     for (; done.nodes < nodes.length && nodes[done.nodes].tick <= tick; done.nodes += 1) {
-      fillStar(star, view, nodes[done.nodes], pane.scene.exploration);
+      if (done.nodes === most) {
+        app.redraw();
+        return;
+      }
+      drawStar(star, outline, view, nodes[done.nodes], pane.scene.exploration);
       this.#open(nodes[done.nodes], done.nodes, pane.scene.exploration);
     }
     const edge = this.#context(this.#edges, ratio);
@@ -145,15 +158,16 @@ export class Explored {
   }
 }
 
-/** A star: as far as each sector was seen free. */
-function fillStar(context, view, node, { sectors, first_rad }) {
+/** A star: as far as each sector was seen free; filled, and its outline on another picture. */
+function drawStar(context, outlines, view, node, { sectors, first_rad }) {
   const wide = (2 * Math.PI) / sectors;
   const [x, y] = [view.px(node.at_m[0]), view.py(node.at_m[1])];
-  context.beginPath();
+  const star = new Path2D();
   for (let sector = 0; sector < sectors; sector += 1) {
     const from = -(first_rad + sector * wide);
-    context.arc(x, y, Math.max(0, node.r_m[sector] * view.scale), from, from - wide, true);
+    star.arc(x, y, Math.max(0, node.r_m[sector] * view.scale), from, from - wide, true);
   }
-  context.closePath();
-  context.fill();
+  star.closePath();
+  context.fill(star);
+  outlines.stroke(star);
 }
