@@ -49,8 +49,8 @@ enum Asked {
         text: Option<String>,
         #[serde(default)]
         label: Option<String>,
-        #[serde(default)]
-        seed: Option<u64>,
+        #[serde(default = "open::one", with = "crate::seed")]
+        seed: u64,
     },
     Advance {
         ticks: u64,
@@ -124,7 +124,7 @@ impl Engine {
             Asked::Recording { label } => self.open(open::recording(files.to_vec(), &label)),
             Asked::Map { files: named, cell_m, text, label, seed } => {
                 let files = open::split(&named, files)?;
-                self.open(open::map(&files, cell_m, text, label, seed.unwrap_or(1)))
+                self.open(open::map(&files, cell_m, text, label, seed))
             }
             asked => self.of_flight(asked),
         }

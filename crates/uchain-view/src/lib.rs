@@ -24,6 +24,7 @@ mod flown;
 mod library;
 mod open;
 mod problem;
+mod seed;
 mod seen;
 #[cfg(target_arch = "wasm32")]
 mod wasm;

@@ -29,7 +29,7 @@ pub(crate) struct FlightFile {
     pub(crate) label: String,
     /// The scenario in TOML.
     pub(crate) text: String,
-    #[serde(default = "one")]
+    #[serde(default = "one", with = "crate::seed")]
     pub(crate) seed: u64,
     /// The walls, where the scenario names a file: a table as in recordings.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -42,7 +42,7 @@ pub(crate) struct FlightFile {
     pub(crate) inputs: Vec<TimedInput>,
 }
 
-fn one() -> u64 {
+pub(crate) fn one() -> u64 {
     1
 }
 

@@ -17,6 +17,7 @@ use super::{
 use crate::{
     open::FlightFile,
     problem::Problem,
+    seed,
     seen::{Viewed, map_json},
 };
 
@@ -129,7 +130,7 @@ impl<S: Viewed> Flight for Flown<S> {
             "duration_s": scene.duration_s(),
             "ticks": total_ticks(scene.duration_s()),
             "runs_to_the_end": runs_to_the_end,
-            "seed": self.file.seed,
+            "seed": seed::to_json(self.file.seed),
             "label": self.file.label,
             "text": self.file.text,
             "recorded": matches!(self.origin, Origin::File(_)),

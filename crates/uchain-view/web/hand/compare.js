@@ -5,6 +5,7 @@ import { element } from "uchain/hand/element.js";
 import { differingKeys, short } from "uchain/hand/edit/differs.js";
 import { setting } from "uchain/hand/edit/toml.js";
 import { openSaid } from "uchain/hand/files/open.js";
+import { SEEDS, seedOf } from "uchain/hand/seed.js";
 import { editPane } from "uchain/hand/edit.js";
 import { views } from "uchain/draw/stage.js";
 import { show as showTab } from "uchain/panel/tabs.js";
@@ -110,7 +111,7 @@ function ask() {
   }
   const key = element("input", { type: "text", list: "compare-keys", id: "compare-key", placeholder: "equalize.law", autocomplete: "off", spellcheck: false, oninput: () => explained() });
   const value = element("input", { type: "text", id: "compare-value", placeholder: '"bang-bang"', autocomplete: "off", spellcheck: false });
-  const seed = element("input", { type: "number", id: "compare-seed", min: "0", step: "1", value: String(pane.scene.seed ?? 1) });
+  const seed = element("input", { type: "text", inputMode: "numeric", id: "compare-seed", value: String(pane.scene.seed ?? 1) });
   const card = element("p", { className: "quiet" });
   const wrong = element("p", { className: "hand-wrong", role: "alert" });
   keys ??= listed(pane);
@@ -135,7 +136,7 @@ function ask() {
   const go = async (isSame = false) => {
     wrong.textContent = "";
     try {
-      await open(pane, isSame ? null : { path: key.value.trim(), value: value.value.trim(), seed: Number(seed.value) });
+      await open(pane, isSame ? null : { path: key.value.trim(), value: value.value.trim(), seed: seedOf(seed.value) });
       dialog.close();
     } catch (fault) {
       wrong.textContent = fault.words ?? fault.message;
@@ -155,7 +156,7 @@ async function open(pane, change) {
   const flight = pane.engine.do("flight");
   if (change) {
     if (change.path === "" && change.seed === pane.scene.seed) throw new Error("Name a key and its value, or another seed.");
-    if (!Number.isSafeInteger(change.seed) || change.seed < 0) throw new Error("The seed is a whole number, 0 or more.");
+    if (change.seed === null) throw new Error(`The seed is ${SEEDS}.`);
     flight.seed = change.seed;
     if (change.path !== "") {
       const place = setting(flight.text, change.path, asToml(change.value));

@@ -10,6 +10,7 @@ import { TextPanel } from "uchain/hand/edit/text.js";
 import { keyAt, lineOf, setting, statements } from "uchain/hand/edit/toml.js";
 import { openSaid } from "uchain/hand/files/open.js";
 import { saveText } from "uchain/hand/files/save.js";
+import { SEEDS, seedOf } from "uchain/hand/seed.js";
 import { show as showTab } from "uchain/panel/tabs.js";
 import { key } from "uchain/panel/keys.js";
 
@@ -47,7 +48,7 @@ export function start() {
   cards = new Cards({ ask: (key) => pane().engine.do("explain", { key }).cards, put });
   handles = new CornerHandles({ text: () => text.text, edit: (edits) => text.edit(edits), drawn: () => check() && fly() });
   verdict = element("p", { id: "edit-verdict", className: "edit-verdict", role: "status", onclick: () => lastError?.line && text.goToLine(lastError.line, lastError.column ?? 1) });
-  seed = element("input", { type: "number", min: "0", step: "1", value: "1", id: "edit-seed", onkeydown: (event) => event.key === "Enter" && fly() });
+  seed = element("input", { type: "text", inputMode: "numeric", value: "1", id: "edit-seed", onkeydown: (event) => event.key === "Enter" && fly() });
   sameInputs = element("input", { type: "checkbox", checked: true });
   flyButton = element("button", { type: "button", className: "main", onclick: fly, title: "Ctrl+Enter", "aria-keyshortcuts": "Control+Enter" }, "Fly this text");
   which = element("div", { className: "edit-which", role: "group", "aria-label": "Which flight is edited", hidden: true });
@@ -261,9 +262,9 @@ function wallsOf(of) {
 async function fly() {
   const of = pane();
   if (!of) return;
-  const number = Number(seed.value);
-  if (!Number.isSafeInteger(number) || number < 0) {
-    verdictIs("error", `The seed is a whole number from 0 to ${Number.MAX_SAFE_INTEGER}.`);
+  const number = seedOf(seed.value);
+  if (number === null) {
+    verdictIs("error", `The seed is ${SEEDS}.`);
     seed.focus();
     return;
   }

@@ -25,6 +25,8 @@ export function start() {
   ], failed);
   menu(document.getElementById("save"), saves, failed);
   key(["o", "O"], "o", "open files", () => picker.click());
+  app.on("scene", endsEarly);
+  app.on("grown", endsEarly);
   addEventListener("dragover", over);
   addEventListener("dragleave", (event) => event.relatedTarget === null && (veil.hidden = true));
   addEventListener("drop", dropped);
@@ -74,6 +76,16 @@ function failed(fault) {
   else app.fault(fault);
 }
 
+/** Flights of which it has been said. */
+const saidOf = new WeakSet();
+
+/** Says where a recording ends that does not end as one does, wherever it came from. */
+function endsEarly(pane) {
+  if (saidOf.has(pane) || !["damaged", "cut-short"].includes(pane.stopped?.why)) return;
+  saidOf.add(pane);
+  app.say("error", `${pane.flight.label}: ${pane.stopped.words}. Up to there it can be looked at.`);
+}
+
 /** Opens what files are. @param {File[]} files */
 export async function take(files) {
   if (files.length === 0) throw new FileError(`Nothing was dropped that is a file. The page reads ${READS}.`);
@@ -97,12 +109,6 @@ async function flown(flight) {
 async function takeRecording(file) {
   const bytes = await bytesOf(file);
   await flown({ kind: "recording", label: file.name, bytes });
-  const [pane] = app.panes;
-  const stop = app.on("grown", () => {
-    if (!pane.stopped && app.panes[0] === pane) return;
-    stop();
-    if (["damaged", "cut-short"].includes(pane.stopped?.why)) app.say("error", `${file.name}: ${pane.stopped.words}. Up to there it can be looked at.`);
-  });
 }
 
 /** A scenario that is not right goes to the editor, with its error at the line. */

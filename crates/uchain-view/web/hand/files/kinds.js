@@ -1,5 +1,7 @@
 // What files are, by their names and first bytes, before anything big of them is read.
 
+import { SEEDS, seedOf } from "uchain/hand/seed.js";
+
 /** More than this is not read at all (bytes). */
 export const MOST_BYTES = 64 * 1024 * 1024;
 /** Texts are short. */
@@ -97,6 +99,6 @@ export function flightOf(text, name) {
   if (flight.kind === "scenario" && typeof flight.text !== "string") throw new FileError(`${name} is no flight of this page: it has no "text", the scenario.`);
   const label = typeof flight.label === "string" ? flight.label : name;
   if (flight.kind === "recording") return { kind: "recording", label, bytes: recordingOf(flight.base64, name) };
-  if (flight.seed !== undefined && !Number.isSafeInteger(flight.seed)) throw new FileError(`${name}: its seed ${flight.seed} is none that a page can hold, which ends at ${Number.MAX_SAFE_INTEGER}. uchain run flies it.`);
+  if (flight.seed !== undefined && seedOf(flight.seed) === null) throw new FileError(`${name}: its seed ${flight.seed} is none: expected ${SEEDS}, in quotes beyond ${Number.MAX_SAFE_INTEGER}.`);
   return { ...flight, label };
 }

@@ -4,7 +4,7 @@ import { app } from "uchain/app.js";
 import { element } from "uchain/hand/element.js";
 
 /** Why there is neither link nor file of some flights. */
-export const CANNOT = "A recording that cannot be flown again here, or a seed beyond 9 007 199 254 740 991, has no link and no flight file: send the recording, run.mcap.";
+export const CANNOT = "A recording that cannot be flown again here has no link and no flight file: send the recording, run.mcap.";
 
 /** Longest that a slice of recording should take (ms). */
 const SLICE_MS = 8;
@@ -44,8 +44,6 @@ export function saveToml(pane, byHand) {
 
 /** The flight for others, as JSON; null where it can only be looked at. */
 export function flightJson(pane) {
-  // JSON rounds larger numbers, and a rounded seed is another flight.
-  if (!Number.isSafeInteger(pane.scene.seed)) return null;
   if (pane.scene.recorded && !pane.scene.flies_again) return null;
   return JSON.stringify(pane.engine.do("flight"));
 }
