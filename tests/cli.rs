@@ -40,6 +40,9 @@ mod sweep;
 /// Help, explanations, completions, manual pages.
 #[path = "cli/teach.rs"]
 mod teach;
+/// `uchain view`: the page with a flight in it.
+#[path = "cli/view.rs"]
+mod view;
 
 use std::{
     fs,

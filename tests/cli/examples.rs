@@ -110,7 +110,7 @@ const STANDS_IN: &[(&str, &str)] = &[
             "run --release --example "*) test -f "$PROJECT/examples/$4.rs" ;;
             "install --path "*) test -f "$PROJECT/$3/src/main.rs" ;;
             "doc --open -p "*) test -f "$PROJECT/crates/$4/src/lib.rs" ;;
-            "xtask test" | "xtask bench") ;;
+            "xtask test" | "xtask bench" | "xtask web" | "xtask web --dist") ;;
             *) echo "cargo $*: what is that?" >&2; exit 1 ;;
         esac"#,
     ),
@@ -125,6 +125,8 @@ const STANDS_IN: &[(&str, &str)] = &[
     ("man", "cat > /dev/null"),
     ("less", r#"test -s "$1""#),
     ("rerun", r#"test -s "$1""#),
+    // In the place of a browser: a page is there, and there are no more examples of flights than pages with one.
+    ("xdg-open", r#"[[ "$1" == /* ]] && grep -q "<main>" "$1""#),
 ];
 
 /// A place to run examples in.
@@ -148,6 +150,7 @@ impl Bench {
         if let Some(cases) = shared_cases() {
             symlink(fs::canonicalize(cases.join("..")).unwrap(), root.path().join("shared")).unwrap();
         }
+        fs::write(root.path().join("page.html"), crate::view::PAGE).unwrap();
         let bench = Self { root, blocks: 0 };
         bench.lay_fixtures();
         bench
@@ -215,6 +218,7 @@ impl Bench {
         bash.args(["--noprofile", "--norc", "-eu", "-o", "pipefail", "-c", line]).current_dir(here);
         bash.env("PATH", path).env("HOME", bench.join("home")).env("ASKED", bench.join("asked"));
         bash.env("PROJECT", fs::canonicalize(root()).unwrap());
+        bash.env("UCHAIN_PAGE", bench.join("page.html"));
         bash.env("UCHAIN", env!("CARGO_BIN_EXE_uchain")).env("fpath", "").stdin(Stdio::null());
         bash.output().unwrap()
     }

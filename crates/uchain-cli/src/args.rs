@@ -12,7 +12,7 @@ use uchain_sim::registry::Registry;
 use crate::{
     exit::{self, Exit},
     flags::{Quiet, Sets},
-    fly, paper, plan, recording, sweep,
+    fly, paper, plan, recording, sweep, view,
 };
 
 /// Fly a chain of UAVs that keep a radio link through a tunnel, or robots that explore rooms, and look at what it
@@ -29,6 +29,8 @@ struct Cli {
 pub(crate) enum Command {
     /// Fly a scenario; leave a summary, a picture and a recording
     Run(fly::Run),
+    /// Open a flight in the browser: watch it, ask why, fly it by hand
+    View(view::View),
     /// Look into a recording: summary, numbers over time, the picture again
     Inspect(recording::Inspect),
     /// Fly a recording again and compare every bit of every tick

@@ -75,6 +75,13 @@ pub(crate) enum Failure {
     Plan(#[from] PlanError),
     #[error("{0}")]
     Map(String),
+    #[error("{0}")]
+    Usage(String),
+    #[error(
+        "this uchain has no page to fly in: `cargo xtask web` in the project's folder builds it, then type the same again; \
+         an installed uchain takes it along with `cargo install --path crates/uchain-cli --features view`"
+    )]
+    NoPage,
     #[error("{map} is a bare map: add {missing}, in the map's own frame (m), such as --base=-50.15,34.03")]
     BareMap { map: String, missing: &'static str },
     #[error("{} holds something else ({found}); name another folder, or add --force to write there all the same", folder.display())]
@@ -216,10 +223,12 @@ impl Failure {
             Self::Input(_)
             | Self::Plan(_)
             | Self::Map(_)
+            | Self::NoPage
             | Self::Recording { .. }
             | Self::OtherVersion { .. }
             | Self::Design(_) => Exit::InputInvalid,
-            Self::BareMap { .. }
+            Self::Usage(_)
+            | Self::BareMap { .. }
             | Self::Occupied { .. }
             | Self::OtherRun { .. }
             | Self::Busy { .. }

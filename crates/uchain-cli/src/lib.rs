@@ -35,6 +35,7 @@ mod plan;
 mod recording;
 mod sweep;
 mod teach;
+mod view;
 
 use std::{
     ffi::OsString,
@@ -98,6 +99,7 @@ fn execute(registry: Registry, command: Command) -> Result<(), Failure> {
         Command::Repro(args) => sweep::repro(registry, &args),
         Command::Plan(args) => plan::compute(registry, &args),
         Command::Paper(args) => paper::regenerate(&args),
+        Command::View(args) => view::view(registry, &args),
         Command::List => print(&list(registry)?),
         Command::Show { preset: Some(name), .. } => print(Preset::find(&name)?.text),
         Command::Show { scenario, .. } => print(&Source::find(&scenario.unwrap_or_default())?.text),

@@ -5,6 +5,7 @@ pub(super) const TOP: &str = "\
 Examples:
   uchain list                                what is there to fly
   uchain run corner                          fly it; results in runs/corner-s1
+  uchain view circuit                        fly it by hand, in the browser
   uchain run corner --seed 7 --set chain.uavs=5 --set radio.sigma_db=0
   uchain run apartment --set explore.robots=4   robots explore rooms together
   uchain run corner --set preset=cavemod     with the values of the authors' firmware
@@ -21,12 +22,13 @@ Examples:
 Results:
   stdout holds what was asked for, stderr progress and errors. Files go into runs/<scenario>-s<seed>
   and plans/<scenario> below the folder you are in, or into --out; a file mine.toml goes by its own name, into
-  runs/mine-s<seed>. A folder tells of one run: what was there goes. Progress shows on a terminal only.
+  runs/mine-s<seed>, and pages of uchain view into views. A folder tells of one run: what was there goes. Progress shows on a terminal only.
 
 Environment:
   NO_COLOR=1, CLICOLOR=0   no colour in help and usage errors; there is none anyway but on a terminal
   CLICOLOR_FORCE=1         colour wherever it goes
   TERM=dumb                no colour and no progress
+  UCHAIN_PAGE=FILE         the page that uchain view fills, in the place of its own
 ";
 
 pub(super) const LIST: &str = "\

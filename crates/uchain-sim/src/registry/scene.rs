@@ -37,6 +37,11 @@ pub trait AnyScene: Debug + Send + Sync {
     fn map(&self) -> &Arc<Map>;
     /// What one should know before the start.
     fn notes(&self) -> Vec<String>;
+    /// The whole scenario in TOML, every value written out: see [`Scene::to_toml`].
+    ///
+    /// # Errors
+    /// None that a scenario that was read could cause.
+    fn to_toml(&self) -> Result<String, toml::ser::Error>;
     /// Flies from the first tick to the last.
     ///
     /// # Errors
@@ -169,6 +174,10 @@ impl<S: Whole> AnyScene for Laid<S> {
 
     fn notes(&self) -> Vec<String> {
         self.0.notes()
+    }
+
+    fn to_toml(&self) -> Result<String, toml::ser::Error> {
+        self.0.to_toml()
     }
 
     fn fly(&self, seed: u64, watch: &mut dyn Watch) -> Result<Flown, RecordError> {
