@@ -72,6 +72,11 @@ pub(crate) const STEPS: &[Step] = &[
         run: python::is_what_it_says,
     },
     Step {
+        name: "web",
+        about: "the page, in a browser: opened from disk, flown, its digests those of the command line",
+        run: python::flies_in_a_browser,
+    },
+    Step {
         name: "no-std",
         about: "uchain-core links without std, system mathematics or, exploration apart, a heap",
         run: no_std::links,

@@ -123,8 +123,7 @@ fn imports_what_is_there(module: &Source, all: &[&Source]) -> Result<()> {
         for quote in ['"', '\''] {
             let start = format!("{quote}uchain/");
             let named = line.split(&start).skip(1);
-            for name in named.filter_map(|rest| rest.split(quote).next()).filter(|name| name.ends_with(".js"))
-            {
+            for name in named.filter_map(|rest| rest.split(quote).next()) {
                 let is_there = all.iter().any(|other| other.name == name);
                 ensure!(is_there, "{}: there is no module uchain/{name}", place());
             }

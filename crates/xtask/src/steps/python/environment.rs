@@ -24,12 +24,17 @@ impl Environment {
     /// The one with everything that tests need; `Err` in words if this machine has no Python to make it of, which is an
     /// error when `CI=true`.
     pub(super) fn of_tests(house: &House) -> Result<Result<Self, String>> {
-        let wanted = house.root.join("tests/python/requirements.txt");
+        Self::of(house, "tests/python/requirements.txt", "python")
+    }
+
+    /// One in a folder below the target folder, with what a file lists; `Err` as above.
+    pub(super) fn of(house: &House, wanted: &str, folder: &str) -> Result<Result<Self, String>> {
+        let wanted = house.root.join(wanted);
         let wanted =
             fs::read_to_string(&wanted).with_context(|| format!("cannot read {}", wanted.display()))?;
         let packages: Vec<&str> =
             wanted.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')).collect();
-        Self::with(&house.target.join("python"), &packages)
+        Self::with(&house.target.join(folder), &packages)
     }
 
     /// One with these packages, made anew if it had others.
