@@ -16,6 +16,8 @@ mod extremes;
 mod halves;
 /// All of a run at once, flown or recorded.
 mod kept;
+/// The layout for Foxglove names nothing that is not there.
+mod layout;
 /// What is said of files that are wrong.
 mod messages;
 /// The papers' figures and tables are what the report says.

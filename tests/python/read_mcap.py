@@ -119,6 +119,26 @@ def check_scans(frames, topics, walls):
         assert min(xs) - 0.1 < x < max(xs) + 0.1 and min(ys) - 0.1 < y < max(ys) + 0.1 and z == 0
 
 
+def check_points(frames, topics, walls):
+    """Points for viewers that draw no lines: walls once, UAVs where they are, links between them."""
+    xs, ys = zip(*(map(float, line.split(",")[1:]) for line in walls.splitlines()[1:]))
+    cloud = lambda topic: topics[topic, "foxglove.PointCloud"]
+    unpacked = lambda message: list(struct.iter_unpack("<fffBBBB", message.data))
+    [(time, message)] = cloud("/points/walls")
+    assert time == 0 and [field.name for field in message.fields] == "x y z red green blue alpha".split()
+    for x, y, _, *_, alpha in unpacked(message):
+        assert min(xs) - 1e-3 <= x <= max(xs) + 1e-3 and min(ys) - 1e-3 <= y <= max(ys) + 1e-3 and alpha == 255
+    assert len(cloud("/points/uavs")) == len(frames) // 4, "five a second"
+    for time, message in cloud("/points/uavs"):
+        frame = frames[time // TICK_NS - 1][1]
+        dots = unpacked(message)
+        assert [point[:2] for point in dots[::3]] == list(zip(frame.x_m, frame.y_m))
+        assert [point[3:6] == (128, 128, 128) for point in dots[::3]] == [not up for up in frame.airborne]
+    for time, message in cloud("/points/links"):
+        frame = frames[time // TICK_NS - 1][1]
+        assert 4 * len(frame.link_uav) <= len(unpacked(message)) <= 8 * len(frame.link_uav)
+
+
 def check_exploration(topics, inspected):
     """Frames, rounds, stars and ways of an exploration say the same."""
     frames = topics["/frame", "uchain.ExploreFrame"]
@@ -141,6 +161,7 @@ def check_exploration(topics, inspected):
     # In the end an outline is left of every star, and no frontier.
     assert all(len(star.lines) == 1 for star in stars.values())
     assert len(topics["/robots", "foxglove.SceneUpdate"][0][1].entities) == robots
+    assert all(len(cloud.data) == robots * 3 * 16 for _, cloud in topics["/points/robots", "foxglove.PointCloud"])
     flown = sum(len(m.entities) for _, m in topics["/ways", "foxglove.SceneUpdate"])
     assert flown == sum(inspected["moves"]), flown
     assert topics["/log", "foxglove.Log"][-1][1].message == "over: no frontier left, all home"
@@ -170,6 +191,7 @@ def check_chain(topics, inspected, walls):
     check_moments(frames, topics["/metrics", "uchain.Metrics"], inspected["moments"])
     check_poses(frames, topics)
     check_scans(frames, topics, walls)
+    check_points(frames, topics, walls)
     assert [e.id for e in topics["/map", "foxglove.SceneUpdate"][0][1].entities] == ["walls", "base"]
     bodies = topics["/uavs", "foxglove.SceneUpdate"]
     launches = len(inspected["launches_s"])

@@ -15,6 +15,7 @@
 //! | `/tof/uav_0`, … | `foxglove.LaserScan`, the four beams |
 //! | `/hits` | `foxglove.PointCloud`, where beams ended |
 //! | `/map`, `/uavs`, `/links` | `foxglove.SceneUpdate`: walls and base once; bodies at every change; links, coloured by loss |
+//! | `/points/walls`, `/points/uavs`, `/points/links` | `foxglove.PointCloud`: the same as points, for viewers that draw no lines |
 //! | `/log` | `foxglove.Log`: take-offs, failures, contacts, links lost and found, overrides, invalid walls, launches |
 //!
 //! Of an exploration:
@@ -26,10 +27,11 @@
 //! | `/metrics` | `Progress`, one per round; `uchain.proto` |
 //! | `/tf`, `/poses` | `foxglove.FrameTransforms`, `foxglove.PosesInFrame`: `robot_0`, `robot_1`, … |
 //! | `/map`, `/robots` | `foxglove.SceneUpdate`: walls and bodies, once |
+//! | `/points/walls`, `/points/robots` | `foxglove.PointCloud`: the same as points |
 //! | `/stars`, `/graph`, `/ways` | `foxglove.SceneUpdate`: stars with their frontiers at every change; new edges; ways round by round |
 //! | `/log` | `foxglove.Log`: what each robot is about, contacts, the end |
 //!
-//! `log_time` is simulated time (ns). Foxglove's messages come ten times per simulated second. Chunks hold 64 KiB and
+//! `log_time` is simulated time (ns). Foxglove's messages come ten times per simulated second, points five times. Chunks hold 64 KiB and
 //! are not compressed: they compress to a third at best, and the compressors mcap knows are C libraries. Everything
 //! is covered by a checksum.
 
@@ -59,3 +61,7 @@ pub const PILOT_TOPIC: &str = "/pilot";
 
 /// Foxglove's messages come at every second tick: 10 per simulated second.
 pub const SHOWN_TICKS: u64 = 2;
+
+/// Points for viewers that draw no lines come at every fourth tick, 5 per simulated second: they are larger than what they
+/// stand for.
+pub const POINTS_TICKS: u64 = 4;

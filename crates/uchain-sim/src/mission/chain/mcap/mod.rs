@@ -1,9 +1,8 @@
 //! Recordings of a chain.
 
-mod doing;
 mod input;
 mod message;
-mod metrics;
+mod points;
 mod poses;
 mod scans;
 mod scene;
@@ -17,10 +16,11 @@ use crate::{
     },
     record::{
         RecordError,
-        mcap::{self, Channel, Out, SHOWN_TICKS, Topics, scene as shared},
+        mcap::{self, Channel, Out, POINTS_TICKS, SHOWN_TICKS, Topics, scene as shared},
     },
 };
-use metrics::MetricsMessage;
+use message::MetricsMessage;
+use points::Points;
 use poses::{Poses, Transforms};
 use scans::Scans;
 use scene::{Bodies, Links};
@@ -37,6 +37,7 @@ pub struct ChainTopics {
     scans: Scans,
     bodies: Bodies,
     links: Links,
+    points: Points,
     events: Events,
 }
 
@@ -47,6 +48,8 @@ struct Channels {
     hits: Channel,
     bodies: Channel,
     links: Channel,
+    uav_points: Channel,
+    link_points: Channel,
     log: Channel,
 }
 
@@ -72,8 +75,11 @@ impl Topics for ChainTopics {
             hits: out.channel::<PointCloud>("/hits")?,
             bodies: out.channel::<SceneUpdate>("/uavs")?,
             links: out.channel::<SceneUpdate>("/links")?,
+            uav_points: out.channel::<PointCloud>("/points/uavs")?,
+            link_points: out.channel::<PointCloud>("/points/links")?,
             log: out.channel::<Log>("/log")?,
         };
+        let walls = out.channel::<PointCloud>("/points/walls")?;
         let scans = (0..course.spawns.len()).map(|uav| out.channel::<LaserScan>(&format!("/tof/uav_{uav}")));
         let scans = Scans::new(course, scans.collect::<Result<_, _>>()?);
         let map = out.channel::<SceneUpdate>("/map")?;
@@ -85,9 +91,11 @@ impl Topics for ChainTopics {
             scans,
             bodies: Bodies::new(course),
             links: Links::new(course),
+            points: Points::new(course),
             events: Events::new(course),
         };
         out.send(map, 0, &shared::map(&course.map, Some(course.base)))?;
+        out.send(walls, 0, &shared::walls(&course.map, Some(course.base)))?;
         out.send(topics.channels.transforms, 0, &poses::at_start(course))?;
         out.send(topics.channels.bodies, 0, topics.bodies.all())?;
         Ok(topics)
@@ -114,6 +122,9 @@ impl Topics for ChainTopics {
         if frame.tick.is_multiple_of(SHOWN_TICKS) {
             self.show_bodies(frame, out)?;
         }
+        if frame.tick.is_multiple_of(POINTS_TICKS) {
+            self.show_points(frame, out)?;
+        }
         for event in self.events.update(frame) {
             let name = event.robot.map_or_else(String::new, poses::body);
             out.send(self.channels.log, frame.tick, &shared::log(event, name))?;
@@ -132,6 +143,14 @@ impl ChainTopics {
         }
         if let Some(links) = self.links.update(frame) {
             out.send(channels.links, tick, links)?;
+        }
+        Ok(())
+    }
+
+    fn show_points(&mut self, frame: &Frame, out: &mut Out<'_>) -> Result<(), RecordError> {
+        out.send(self.channels.uav_points, frame.tick, &self.points.uavs(frame))?;
+        if let Some(links) = self.points.links(frame) {
+            out.send(self.channels.link_points, frame.tick, &links)?;
         }
         Ok(())
     }

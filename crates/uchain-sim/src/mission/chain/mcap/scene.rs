@@ -1,24 +1,18 @@
 //! What there is to see of a chain: the UAVs' bodies, links coloured by loss.
 
-use foxglove::messages::{Color, LinePrimitive, SceneEntity, SceneUpdate, line_primitive::Type};
+use foxglove::messages::{LinePrimitive, SceneEntity, SceneUpdate, line_primitive::Type};
 use glam::Vec2;
-use uchain_core::bounded;
 
 use super::poses::body;
 use crate::{
-    mission::chain::{Course, Frame},
-    record::mcap::scene::{MAP, disc_and_arrow, entity, point, pose, time},
+    mission::chain::{Course, Frame, LinkFrame},
+    record::mcap::scene::{GROUNDED, MAP, color, crew, disc_and_arrow, entity, link, point, pose, time},
 };
 
-/// A link this much better than `takeoff.s_min_db` is green, one this much worse red; at `s_min_db` it is yellow
-/// (dB).
-const SHADES_DB: f32 = 20.0;
+/// Dashes of a link that is lost.
+const DASHES: u32 = 8;
 
-const HEAD: Color = Color { r: 0.95, g: 0.55, b: 0.1, a: 1.0 };
-const RELAY: Color = Color { r: 0.2, g: 0.55, b: 0.95, a: 1.0 };
-const GROUNDED: Color = Color { r: 0.5, g: 0.5, b: 0.5, a: 0.6 };
-
-/// `/uavs`: a disc and an arrow per UAV, in the UAV's own frame; `/tf` moves them.
+/// `/uavs`: a disc, an arrow and a number per UAV, in the UAV's own frame; `/tf` moves them.
 pub(super) struct Bodies {
     all: SceneUpdate,
     changed: SceneUpdate,
@@ -27,7 +21,8 @@ pub(super) struct Bodies {
 
 impl Bodies {
     pub(super) fn new(course: &Course) -> Self {
-        let uav = |uav: usize| disc_and_arrow(body(uav), course.scenario.motion.radius_m, GROUNDED);
+        let uav =
+            |uav: usize| disc_and_arrow(body(uav), uav, course.scenario.motion.radius_m, color(GROUNDED));
         let uavs = course.spawns.len();
         let all = SceneUpdate { deletions: Vec::new(), entities: (0..uavs).map(uav).collect() };
         Self { all, changed: SceneUpdate::default(), airborne: vec![false; uavs] }
@@ -47,25 +42,30 @@ impl Bodies {
                 continue;
             }
             *was = uav.airborne;
-            let color = Some(match (uav.airborne, index) {
-                (false, _) => GROUNDED,
-                (true, 0) => HEAD,
-                (true, _) => RELAY,
-            });
+            let color = Some(color(if uav.airborne { crew(index) } else { GROUNDED }));
             body.timestamp = Some(time(frame.tick));
             body.cylinders.iter_mut().for_each(|disc| disc.color = color);
             body.arrows.iter_mut().for_each(|arrow| arrow.color = color);
+            body.texts.iter_mut().for_each(|text| text.color = color);
             self.changed.entities.push(body.clone());
         }
         (!self.changed.entities.is_empty()).then_some(&self.changed)
     }
 }
 
-/// `/links`: a line per link of the flying chain.
+/// Links of the flying chain, each from its front end to its rear end, which may be the base.
+pub(super) fn ends(frame: &Frame, base: Vec2) -> impl Iterator<Item = (&LinkFrame, Vec2, Vec2)> {
+    let place = |uav: usize| frame.uavs.get(uav).map(|uav| Vec2::new(uav.x_m, uav.y_m));
+    let behind = frame.links.iter().skip(1).map(move |link| place(link.uav)).chain([Some(base)]);
+    frame.links.iter().zip(behind).filter_map(move |(link, behind)| Some((link, place(link.uav)?, behind?)))
+}
+
+/// `/links`: a line per link of the flying chain, dashed where an end has heard nothing for too long.
 pub(super) struct Links {
     scene: SceneUpdate,
     base: Vec2,
     s_min_db: f32,
+    lost_s: f32,
 }
 
 impl Links {
@@ -82,6 +82,7 @@ impl Links {
             scene: SceneUpdate { deletions: Vec::new(), entities: vec![links] },
             base: course.base,
             s_min_db: course.scenario.takeoff.s_min_db,
+            lost_s: course.scenario.link.lost_s,
         }
     }
 
@@ -95,19 +96,16 @@ impl Links {
         }
         lines.points.clear();
         lines.colors.clear();
-        let place = |uav: usize| frame.uavs.get(uav).map(|uav| Vec2::new(uav.x_m, uav.y_m));
-        let behind = frame.links.iter().skip(1).map(|link| place(link.uav)).chain([Some(self.base)]);
-        for (link, behind) in frame.links.iter().zip(behind) {
-            let (Some(front), Some(behind)) = (place(link.uav), behind) else { continue };
-            lines.points.extend([point(front), point(behind)]);
-            lines.colors.extend([shade(link.true_db, self.s_min_db); 2]);
+        for (of, front, behind) in ends(frame, self.base) {
+            let color = color(link(of.true_db, self.s_min_db));
+            let is_lost = of.is_heard(self.lost_s) == Some(false);
+            let (pieces, shown) = if is_lost { (2 * DASHES, DASHES) } else { (1, 1) };
+            for piece in (0..shown).map(|dash| 2 * dash) {
+                let at = |piece: u32| point(front.lerp(behind, piece as f32 / pieces as f32));
+                lines.points.extend([at(piece), at(piece + 1)]);
+                lines.colors.extend([color; 2]);
+            }
         }
         Some(&self.scene)
     }
-}
-
-/// Green, yellow, red.
-fn shade(loss_db: f32, s_min_db: f32) -> Color {
-    let worse = f64::from(bounded((loss_db - s_min_db) / SHADES_DB, -1.0, 1.0));
-    Color { r: (1.0 + worse).min(1.0), g: (1.0 - worse).min(1.0), b: 0.1, a: 1.0 }
 }

@@ -3,7 +3,9 @@
 mod message;
 mod scene;
 
-use foxglove::messages::{FrameTransform, FrameTransforms, Log, Pose, PosesInFrame, SceneUpdate, Vector3};
+use foxglove::messages::{
+    FrameTransform, FrameTransforms, Log, PointCloud, Pose, PosesInFrame, SceneUpdate, Vector3,
+};
 
 use crate::{
     mission::{
@@ -13,13 +15,13 @@ use crate::{
     record::{
         RecordError,
         mcap::{
-            self, Channel, Out, SHOWN_TICKS, Topics,
-            scene::{self as shared, MAP, rotation, time, transform},
+            self, Channel, Out, POINTS_TICKS, SHOWN_TICKS, Topics,
+            scene::{self as shared, Cloud, MAP, rotation, time, transform},
         },
     },
 };
 use message::ExploreMetricsMessage;
-use scene::{Graph, Stars, Ways, robot_colour};
+use scene::{Graph, Stars, Ways};
 
 /// Records an exploration.
 pub type ExploreRecorder<W> = mcap::McapRecorder<W, ExploreTopics>;
@@ -31,6 +33,8 @@ pub struct ExploreTopics {
     stars: Stars,
     graph: Graph,
     ways: Ways,
+    bodies: Cloud,
+    radius_m: f32,
     events: Events,
 }
 
@@ -41,6 +45,7 @@ struct Channels {
     stars: Channel,
     graph: Channel,
     ways: Channel,
+    points: Channel,
     log: Channel,
 }
 
@@ -66,14 +71,17 @@ impl Topics for ExploreTopics {
             stars: out.channel::<SceneUpdate>("/stars")?,
             graph: out.channel::<SceneUpdate>("/graph")?,
             ways: out.channel::<SceneUpdate>("/ways")?,
+            points: out.channel::<PointCloud>("/points/robots")?,
             log: out.channel::<Log>("/log")?,
         };
+        let walls = out.channel::<PointCloud>("/points/walls")?;
         let (map, robots) = (out.channel::<SceneUpdate>("/map")?, out.channel::<SceneUpdate>("/robots")?);
         out.send(map, 0, &shared::map(&site.map, None))?;
+        out.send(walls, 0, &shared::walls(&site.map, None))?;
         let place = transform("scenario", MAP.to_owned(), site.map.offset_m(), 0.0);
         out.send(channels.transforms, 0, &FrameTransforms { transforms: vec![place] })?;
         let radius_m = site.scenario.params.r_body_m;
-        let robot = |i: usize| shared::disc_and_arrow(body(i), radius_m, robot_colour(i));
+        let robot = |i: usize| shared::disc_and_arrow(body(i), i, radius_m, shared::color(shared::crew(i)));
         let bodies = (0..site.spawns.len()).map(robot).collect();
         out.send(robots, 0, &SceneUpdate { deletions: Vec::new(), entities: bodies })?;
         Ok(Self {
@@ -82,6 +90,8 @@ impl Topics for ExploreTopics {
             stars: Stars::default(),
             graph: Graph::default(),
             ways: Ways::default(),
+            bodies: Cloud::default(),
+            radius_m,
             events: Events::default(),
         })
     }
@@ -98,6 +108,14 @@ impl Topics for ExploreTopics {
         if frame.tick.is_multiple_of(SHOWN_TICKS) || is_last {
             out.send(self.channels.transforms, frame.tick, &transforms(frame))?;
             out.send(self.channels.poses, frame.tick, &poses(frame))?;
+        }
+        if frame.tick.is_multiple_of(POINTS_TICKS) || is_last {
+            self.bodies.clear();
+            for (i, robot) in frame.robots.iter().enumerate() {
+                let at_m = [robot.x_m, robot.y_m, robot.z_m];
+                self.bodies.push_body(at_m, robot.heading_rad, self.radius_m, shared::crew(i));
+            }
+            out.send(self.channels.points, frame.tick, &self.bodies.message(frame.tick))?;
         }
         for event in self.events.update(frame) {
             let name = event.robot.map_or_else(|| "exploration".to_owned(), body);

@@ -8,7 +8,7 @@ use glam::Vec2;
 use uchain_core::explore::{Label, NodeId};
 
 use crate::mission::explore::{ExploreFrame, NodeFrame};
-use crate::record::mcap::scene::{MAP, entity, point, pose, time};
+use crate::record::mcap::scene::{MAP, color, crew, entity, point, pose, time};
 
 /// Points of an arc, but for its last.
 const POINTS: usize = 4;
@@ -18,19 +18,6 @@ const STEP_M: f32 = 0.05;
 const STAR: Color = Color { r: 0.6, g: 0.7, b: 0.8, a: 0.5 };
 const FRONTIER: Color = Color { r: 0.88, g: 0.0, b: 0.61, a: 1.0 };
 const EDGE: Color = Color { r: 0.35, g: 0.35, b: 0.35, a: 1.0 };
-const ROBOTS: [Color; 6] = [
-    Color { r: 0.95, g: 0.55, b: 0.1, a: 1.0 },
-    Color { r: 0.2, g: 0.55, b: 0.95, a: 1.0 },
-    Color { r: 0.2, g: 0.7, b: 0.3, a: 1.0 },
-    Color { r: 0.6, g: 0.35, b: 0.8, a: 1.0 },
-    Color { r: 0.85, g: 0.75, b: 0.1, a: 1.0 },
-    Color { r: 0.3, g: 0.75, b: 0.75, a: 1.0 },
-];
-
-/// Colours repeat after six robots.
-pub(super) fn robot_colour(robot: usize) -> Color {
-    ROBOTS[robot % ROBOTS.len()]
-}
 
 fn lines(kind: Type, thickness: f64, color: Color, points: Vec<Point3>) -> LinePrimitive {
     LinePrimitive {
@@ -131,7 +118,7 @@ impl Ways {
         for (i, (way, robot)) in self.0.iter_mut().zip(&frame.robots).enumerate() {
             if way.len() > 1 {
                 let points = way.iter().map(|&at| point(at.into())).collect();
-                let strip = lines(Type::LineStrip, 2.0, robot_colour(i), points);
+                let strip = lines(Type::LineStrip, 2.0, color(crew(i)), points);
                 let id = format!("way of robot {i} before round {round}");
                 flown.push(SceneEntity { lines: vec![strip], ..entity(&id, MAP.to_owned()) });
             }

@@ -4,7 +4,7 @@ use crate::mission::chain::Moment;
 
 /// `uchain.Metrics`.
 #[derive(Clone, Copy, PartialEq, prost::Message)]
-pub(super) struct MetricsMessage {
+pub(in crate::mission::chain::mcap) struct MetricsMessage {
     #[prost(uint32, tag = "1")]
     uavs: u32,
     #[prost(float, tag = "2")]

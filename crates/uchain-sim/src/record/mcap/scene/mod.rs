@@ -1,8 +1,12 @@
 //! What recordings of all missions show alike, in Foxglove's messages: the frame of the map, time, walls, bodies.
 
+mod cloud;
+mod palette;
+
 use foxglove::messages::{
     ArrowPrimitive, Color, CubePrimitive, CylinderPrimitive, FrameTransform, LinePrimitive, Log, Point3,
-    Pose, Quaternion, SceneEntity, SceneUpdate, Timestamp, Vector3, line_primitive::Type, log::Level,
+    Pose, Quaternion, SceneEntity, SceneUpdate, TextPrimitive, Timestamp, Vector3, line_primitive::Type,
+    log::Level,
 };
 use glam::Vec2;
 
@@ -11,6 +15,9 @@ use crate::{
     map::{Map, Segment},
     record::{Event, Gravity},
 };
+
+pub use cloud::{Cloud, walls};
+pub use palette::{GROUNDED, Rgb, color, crew, link};
 
 /// The frame all places are in.
 pub const MAP: &str = "map";
@@ -59,8 +66,8 @@ pub fn transform(parent: &str, child: String, [x, y]: [f64; 2], heading_rad: f32
 const BODY_M: f64 = 0.04;
 /// Side of the base station (m).
 const BASE_M: f64 = 0.12;
-const WALL: Color = Color { r: 0.55, g: 0.5, b: 0.45, a: 1.0 };
-const BASE: Color = Color { r: 0.9, g: 0.9, b: 0.9, a: 1.0 };
+/// Height of a number beside a body (pixels).
+const NUMBER_PX: f64 = 14.0;
 
 /// Something to see, in a frame of its own or another one's.
 pub fn entity(id: &str, frame_id: String) -> SceneEntity {
@@ -86,21 +93,22 @@ pub fn map(map: &Map, base: Option<Vec2>) -> SceneUpdate {
         thickness: 2.0,
         scale_invariant: true,
         points: walls.iter().map(|wall| point(wall.a)).collect(),
-        color: Some(WALL),
+        color: Some(color(palette::WALL)),
         ..LinePrimitive::default()
     };
     let walls = SceneEntity { lines: map.loops().map(outline).collect(), ..entity("walls", MAP.to_owned()) };
     let base = base.map(|at| CubePrimitive {
         pose: Some(pose(at)),
         size: Some(Vector3 { x: BASE_M, y: BASE_M, z: BASE_M }),
-        color: Some(BASE),
+        color: Some(color(palette::BASE)),
     });
     let base = base.map(|cube| SceneEntity { cubes: vec![cube], ..entity("base", MAP.to_owned()) });
     SceneUpdate { deletions: Vec::new(), entities: std::iter::once(walls).chain(base).collect() }
 }
 
-/// A body in its own frame.
-pub fn disc_and_arrow(frame_id: String, radius_m: f32, color: Color) -> SceneEntity {
+/// A body in its own frame, with its number beside it.
+pub fn disc_and_arrow(frame_id: String, number: usize, radius_m: f32, color: Color) -> SceneEntity {
+    let beside = Vec2::new(0.0, 2.5 * radius_m);
     let radius_m = f64::from(radius_m);
     let disc = CylinderPrimitive {
         pose: Some(pose(Vec2::ZERO)),
@@ -117,6 +125,15 @@ pub fn disc_and_arrow(frame_id: String, radius_m: f32, color: Color) -> SceneEnt
         head_diameter: 0.6 * radius_m,
         color: Some(color),
     };
+    let text = TextPrimitive {
+        pose: Some(pose(beside)),
+        billboard: true,
+        font_size: NUMBER_PX,
+        scale_invariant: true,
+        color: Some(color),
+        text: number.to_string(),
+    };
     let id = frame_id.clone();
-    SceneEntity { frame_locked: true, cylinders: vec![disc], arrows: vec![arrow], ..entity(&id, frame_id) }
+    let (cylinders, arrows, texts) = (vec![disc], vec![arrow], vec![text]);
+    SceneEntity { frame_locked: true, cylinders, arrows, texts, ..entity(&id, frame_id) }
 }

@@ -2,7 +2,11 @@
 
 use uchain_core::chain::{Doing, Follow, LaunchHold, Override, PendingLaunch, WallSide, Walls};
 
-use crate::record::mcap::{number, word};
+use super::FrameMessage;
+use crate::{
+    mission::chain::UavFrame,
+    record::mcap::{alike, number, set, word},
+};
 
 /// Words by their numbers in `uchain.proto`.
 const FOLLOWS: [Follow; 3] = [Follow::Centre, Follow::Left, Follow::Right];
@@ -17,17 +21,17 @@ const UNSAID: u32 = 0;
 const NOTHING: u32 = 1;
 
 /// What a UAV is about, as numbers.
-pub(super) struct DoingCodes {
-    pub(super) overridden: u32,
-    pub(super) follow: u32,
-    pub(super) walls: u32,
-    pub(super) pushed_by: u32,
-    pub(super) launch: u32,
+struct DoingCodes {
+    overridden: u32,
+    follow: u32,
+    walls: u32,
+    pushed_by: u32,
+    launch: u32,
     /// NaN without a launch (dB).
-    pub(super) launch_db: f32,
+    launch_db: f32,
 }
 
-pub(super) fn codes(doing: Option<Doing>) -> DoingCodes {
+fn codes(doing: Option<Doing>) -> DoingCodes {
     let Some(Doing { overridden, follow, walls, pushed_by, launch }) = doing else {
         return DoingCodes {
             overridden: UNSAID,
@@ -48,7 +52,7 @@ pub(super) fn codes(doing: Option<Doing>) -> DoingCodes {
     }
 }
 
-pub(super) fn decoded(codes: DoingCodes) -> Result<Option<Doing>, String> {
+fn decoded(codes: DoingCodes) -> Result<Option<Doing>, String> {
     let overridden = match codes.overridden {
         UNSAID => return Ok(None),
         NOTHING => None,
@@ -74,6 +78,49 @@ pub(super) fn decoded(codes: DoingCodes) -> Result<Option<Doing>, String> {
         pushed_by: word("pushed_by", &SIDES, codes.pushed_by)?,
         launch,
     }))
+}
+
+impl FrameMessage {
+    /// Empty lists where nobody says what it is about.
+    pub(super) fn fill_doing(&mut self, uavs: &[UavFrame]) {
+        let said = if uavs.iter().any(|uav| uav.doing.is_some()) { uavs } else { &[] };
+        set(&mut self.overridden, said.iter().map(|uav| codes(uav.doing).overridden));
+        set(&mut self.follow, said.iter().map(|uav| codes(uav.doing).follow));
+        set(&mut self.walls, said.iter().map(|uav| codes(uav.doing).walls));
+        set(&mut self.pushed_by, said.iter().map(|uav| codes(uav.doing).pushed_by));
+        set(&mut self.launch, said.iter().map(|uav| codes(uav.doing).launch));
+        set(&mut self.launch_db, said.iter().map(|uav| codes(uav.doing).launch_db));
+    }
+
+    /// Nothing where nobody said, and in recordings of versions that did not write it.
+    pub(super) fn doing(&self, i: usize) -> Result<Option<Doing>, String> {
+        let codes = || {
+            Some(DoingCodes {
+                overridden: *self.overridden.get(i)?,
+                follow: *self.follow.get(i)?,
+                walls: *self.walls.get(i)?,
+                pushed_by: *self.pushed_by.get(i)?,
+                launch: *self.launch.get(i)?,
+                launch_db: *self.launch_db.get(i)?,
+            })
+        };
+        codes().map_or(Ok(None), decoded)
+    }
+
+    /// As many of everything as UAVs, or nothing.
+    pub(super) fn check_doing(&self) -> Result<(), String> {
+        if !self.overridden.is_empty() {
+            alike(self.x_m.len(), "x_m", &[("overridden", self.overridden.len())])?;
+        }
+        let lengths = [
+            ("follow", self.follow.len()),
+            ("walls", self.walls.len()),
+            ("pushed_by", self.pushed_by.len()),
+            ("launch", self.launch.len()),
+            ("launch_db", self.launch_db.len()),
+        ];
+        alike(self.overridden.len(), "overridden", &lengths)
+    }
 }
 
 #[cfg(test)]

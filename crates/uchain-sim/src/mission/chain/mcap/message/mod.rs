@@ -1,17 +1,18 @@
 //! Messages of a chain.
 
+mod doing;
+mod metrics;
+
 use prost::Message as _;
 use uchain_core::chain::Tof;
 
-use super::{
-    doing::{DoingCodes, codes, decoded},
-    input::{INPUT, InputMessage},
-};
+use super::input::{INPUT, InputMessage};
 use crate::record::mcap::{Described, Recordable, alike, bounded, few, set};
 use crate::{
     map::FARTHEST_M,
     mission::chain::{Frame, HeadFrame, LinkFrame, Silence, UAVS_MAX, UavFrame},
 };
+pub(super) use metrics::MetricsMessage;
 
 /// `uchain.Frame`. Stands for one frame after the other, so that its lists are allocated once.
 #[derive(Clone, PartialEq, prost::Message)]
@@ -99,24 +100,13 @@ impl FrameMessage {
         self.fill_doing(uavs);
     }
 
-    /// Empty lists where nobody says what it is about.
-    fn fill_doing(&mut self, uavs: &[UavFrame]) {
-        let said = if uavs.iter().any(|uav| uav.doing.is_some()) { uavs } else { &[] };
-        set(&mut self.overridden, said.iter().map(|uav| codes(uav.doing).overridden));
-        set(&mut self.follow, said.iter().map(|uav| codes(uav.doing).follow));
-        set(&mut self.walls, said.iter().map(|uav| codes(uav.doing).walls));
-        set(&mut self.pushed_by, said.iter().map(|uav| codes(uav.doing).pushed_by));
-        set(&mut self.launch, said.iter().map(|uav| codes(uav.doing).launch));
-        set(&mut self.launch_db, said.iter().map(|uav| codes(uav.doing).launch_db));
-    }
-
     fn pour(&self, frame: &mut Frame) -> Result<(), String> {
         self.check()?;
         (frame.tick, frame.decision, frame.head_reach_m) = (self.tick, self.decision, self.head_reach_m);
         set(&mut frame.uavs, (0..self.x_m.len()).map_while(|i| self.uav(i)));
         let uavs = frame.uavs.len();
         for (i, uav) in frame.uavs.iter_mut().enumerate() {
-            uav.doing = self.doing(i).map(decoded).transpose()?.flatten();
+            uav.doing = self.doing(i)?;
         }
         if frame.leader != 0 && frame.leader >= uavs {
             return Err(format!("leader = {}: expected one of {uavs} UAVs", frame.leader));
@@ -147,18 +137,6 @@ impl FrameMessage {
             uav_contacts: *self.uav_contacts.get(i)?,
             tof,
             doing: None,
-        })
-    }
-
-    /// Nothing where nobody said, and in recordings of versions that did not write it.
-    fn doing(&self, i: usize) -> Option<DoingCodes> {
-        Some(DoingCodes {
-            overridden: *self.overridden.get(i)?,
-            follow: *self.follow.get(i)?,
-            walls: *self.walls.get(i)?,
-            pushed_by: *self.pushed_by.get(i)?,
-            launch: *self.launch.get(i)?,
-            launch_db: *self.launch_db.get(i)?,
         })
     }
 
@@ -223,17 +201,7 @@ impl FrameMessage {
         if !self.head_mps.is_empty() {
             alike(3, "the head", &[("head_mps", self.head_mps.len())])?;
         }
-        if !self.overridden.is_empty() {
-            alike(uavs, "x_m", &[("overridden", self.overridden.len())])?;
-        }
-        let lengths = [
-            ("follow", self.follow.len()),
-            ("walls", self.walls.len()),
-            ("pushed_by", self.pushed_by.len()),
-            ("launch", self.launch.len()),
-            ("launch_db", self.launch_db.len()),
-        ];
-        alike(self.overridden.len(), "overridden", &lengths)?;
+        self.check_doing()?;
         if let Some(uav) = self.link_uav.iter().find(|uav| **uav as usize >= uavs) {
             return Err(format!("link_uav = {uav}: expected one of {uavs} UAVs"));
         }
