@@ -95,7 +95,7 @@ pub enum Said {
     Flush,
 }
 
-/// All that a recording says, in memory and without a file format around it: some 30 kB per simulated second of a chain
+/// All that a recording says, in memory and without a file format around it: some 35 kB per simulated second of a chain
 /// of five.
 ///
 /// ```
