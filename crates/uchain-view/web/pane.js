@@ -107,8 +107,14 @@ export class Pane {
     return this.stopped || this.broken ? this.tick : this.scene.ticks;
   }
 
+  /** True for a recording that ends where it should not. */
+  get torn() {
+    return this.stopped?.why === "cut-short" || this.stopped?.why === "damaged";
+  }
+
   /** What came of it, once it is over. */
   get verdict() {
+    if (this.torn) return this.stopped?.words ?? "";
     if (this.#verdict === null && this.stopped) this.#verdict = this.engine.do("summary").verdict ?? this.stopped.words;
     return this.#verdict ?? "";
   }

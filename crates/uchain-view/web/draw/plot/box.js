@@ -75,7 +75,7 @@ export class Box {
       const x = Math.round(this.px(time_s, scale)) + 0.5;
       line(context, x, area.top, x, area.top + area.height);
       const room = time_s === 0 || this.axes.last || x < area.left + area.width - 12;
-      if (this.axes.ticksX && room) context.fillText(String(Math.round(time_s * 10) / 10), Math.min(x, all.left + all.width - 11), area.top + area.height + 4);
+      if (this.axes.ticksX && room) context.fillText(String(Number(time_s.toPrecision(4))), Math.min(x, all.left + all.width - 11), area.top + area.height + 4);
     }
     context.textAlign = "right";
     if (this.axes.ticksX && this.axes.ticksY) context.fillText("time (s)", area.left - 8, area.top + area.height + 4);
