@@ -154,7 +154,6 @@ class App {
     this.emit("selected", null);
     if (index === 0) this.seek(0);
     else this.seek(this.cursor);
-    this.#tell(pane);
     return pane;
   }
 
@@ -240,17 +239,11 @@ class App {
       if (pane.advance(reach, until)) {
         this.#dirty = true;
         this.emit("grown", pane);
-        this.#tell(pane);
       }
     } catch (fault) {
       pane.broken = true;
       this.fault(fault);
     }
-  }
-
-  /** A recording that ends where it should not says so, however it came. */
-  #tell(pane) {
-    if (pane.torn) this.say("error", `${pane.scene.label}: ${pane.stopped.words}. Up to there it can be looked at.`);
   }
 
   #look(pane) {
