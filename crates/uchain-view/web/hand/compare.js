@@ -26,7 +26,7 @@ let keys = null;
 export function start() {
   const button = document.getElementById("compare");
   button.addEventListener("click", () => (app.panes.length > 1 ? close() : ask()));
-  for (const name of ["panes", "scene"]) app.on(name, shown);
+  for (const name of ["panes", "scene", "mode"]) app.on(name, shown);
   app.on("grown", outcomes);
   app.on("cursor", outcomes);
 }

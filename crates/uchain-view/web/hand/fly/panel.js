@@ -14,8 +14,8 @@ export class SteeringBar {
     this.speed = element("output", { className: "fly-speed", "aria-live": "polite", "aria-label": "asked of the head" });
     this.gauge = element("div", { className: "fly-gauge" });
     this.held = element("p", { className: "fly-held", role: "status" });
-    this.back = element("button", { type: "button", hidden: true, onclick: does.back, title: "Open the flight as it was before you took over" }, "Undo take-over");
-    place.replaceChildren(
+    this.back = element("button", { type: "button", hidden: true, onclick: does.back, title: "Undo the take-over: the flight is again as it was before" }, "Undo");
+    place.replaceChildren(element("div", { className: "fly-bar" },
       element("div", { className: "fly-group ways", role: "group", "aria-label": "Which way at a branch" }, element("span", { className: "fly-word" }, "At a branch"), ...this.ways),
       element("div", { className: "fly-group speeds", role: "group", "aria-label": "Speed" },
         held(element("button", { type: "button", className: "big", "aria-keyshortcuts": "ArrowDown" }, "▼ Slower"), () => does.faster(-1)),
@@ -26,9 +26,9 @@ export class SteeringBar {
       this.gauge,
       element("div", { className: "fly-group ends", role: "group", "aria-label": "This flight by hand" },
         element("button", { type: "button", onclick: does.done, title: "Watch: it flies on with what you asked last (F)" }, "Done"),
-        element("button", { type: "button", onclick: does.again, title: "Fly by hand from the start" }, "From the start"),
+        element("button", { type: "button", onclick: does.again, title: "Fly by hand from the start" }, "Restart"),
         this.back),
-    );
+    ));
   }
 
   /** What is wished. */
