@@ -66,7 +66,8 @@ export function show() {
   row.append(watch, steer);
   const list = document.createElement("div");
   list.className = "scenarios";
-  for (const one of scenarios.filter((one) => one.flies)) list.append(card(one, close));
+  const explores = (/** @type {any} */ one) => Number(one.mission.includes("exploration"));
+  for (const one of scenarios.filter((one) => one.flies).sort((a, b) => explores(a) - explores(b))) list.append(card(one, close));
   box.append(row, list);
   box.addEventListener("keydown", (event) => {
     if (event.key === "Escape") close();
