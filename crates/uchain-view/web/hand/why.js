@@ -179,7 +179,7 @@ function drawings(why, uav, pane) {
 function tells(said) {
   return element("details", { className: "why-tells", open: true }, element("summary", {}, "What it tells the others"), element("dl", {}, ...pairs([
     ["its place", said.place],
-    ["ground speed", Number.isFinite(said.ground_speed_mps) ? shown(said.ground_speed_mps, 2, "m/s", true) : null],
+    ["ground speed", shown(said.ground_speed_mps, 2, "m/s", true)],
     ["in the air for", Number.isFinite(said.flown_s) ? shown(said.flown_s, 1, "s") : null],
     ["wall choice", wayOf(said.follow)],
     ["imbalance", Number.isFinite(said.imbalance_db) ? shown(said.imbalance_db, 1, "dB", true) : null],
