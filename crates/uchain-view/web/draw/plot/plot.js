@@ -11,7 +11,7 @@ import { specOf } from "uchain/draw/plot/spec.js";
 import { shown } from "uchain/panel/layers.js";
 
 /** So many points are painted in a frame, and for so long (ms); the rest follows in the next ones. */
-const [PAINT_POINTS, PAINT_MS] = [2500, 2];
+const [PAINT_POINTS, PAINT_MS] = [6000, 2];
 
 /** To clear a box and paint its axes counts as so many points. */
 const BEGIN_POINTS = 100;
