@@ -128,7 +128,6 @@ fn forward(course: &Course, told: &Explanation, words: &mut Vec<String>) {
 }
 
 fn levels(course: &Course, told: &Explanation) -> String {
-    let p = &course.scenario.equalize;
     let Some(imbalance_db) = told.imbalance_db else {
         return "It has not heard both of its neighbours yet, and stays.".to_owned();
     };
