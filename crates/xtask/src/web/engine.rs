@@ -79,6 +79,6 @@ fn optimised(module: PathBuf) -> Result<PathBuf> {
         return Ok(module);
     }
     let smaller = module.with_extension("opt.wasm");
-    run(Command::new("wasm-opt").arg("-O2").args(FEATURES).arg(&module).arg("-o").arg(&smaller))?;
+    run(Command::new("wasm-opt").arg("-Oz").args(FEATURES).arg(&module).arg("-o").arg(&smaller))?;
     Ok(smaller)
 }

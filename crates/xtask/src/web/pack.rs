@@ -1,7 +1,8 @@
 //! Packs the page into one file: style, modules and engine inside, nothing asked of any server.
 //!
-//! Modules of JavaScript cannot import each other from `file://`. So each becomes a `data:` address, and one import map
-//! says which name is which: `import {app} from "uchain/app.js"`.
+//! Modules of JavaScript cannot import each other from `file://`. So they are packed together, and when the page opens each
+//! becomes a `data:` address, and one import map says which name is which: `import {app} from "uchain/app.js"`. The map has
+//! to be there before the first module is asked for, so that what unpacks it is no module itself.
 
 use std::{
     fs,
@@ -17,6 +18,20 @@ use flate2::{Compression, write::GzEncoder};
 const FLIGHT: &str = "<!-- uchain:flight -->";
 /// What starts it.
 const ENTRY: &str = "<script type=\"module\">import \"uchain/main.js\"</script>";
+/// What does so in the page.
+const UNPACK: &str = r#"<script>
+(async () => {
+  const packed = Uint8Array.from(atob(document.getElementById("modules").textContent), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const imports = await new Response(stream).json();
+  for (const name in imports) imports[name] = "data:text/javascript;charset=utf-8," + encodeURIComponent(imports[name]);
+  const map = document.createElement("script");
+  map.type = "importmap";
+  map.textContent = JSON.stringify({ imports });
+  document.head.append(map);
+  await import("uchain/main.js");
+})();
+</script>"#;
 /// Names in XML look like addresses, and nothing is fetched from them.
 const XML_NAMES: &str = "http://www.w3.org/";
 
@@ -50,21 +65,15 @@ pub(super) fn page(folder: &Path, engine: &[u8]) -> Result<String> {
     }
     imports_what_is_there(index, &modules)?;
     ensure!(index.text.contains(ENTRY), "index.html does not start the page: expected {ENTRY}");
-    let imports: Vec<String> = modules.iter().map(|module| import(module)).collect();
+    let texts: serde_json::Map<String, serde_json::Value> =
+        modules.iter().map(|module| named(module)).collect();
+    let texts = gzip(&serde_json::to_vec(&texts)?)?;
 
     let parts = [
         ("<!-- uchain:style -->", format!("<style>\n{style}</style>")),
-        (
-            "<!-- uchain:modules -->",
-            format!("<script type=\"importmap\">{{\"imports\":{{\n{}\n}}}}</script>", imports.join(",\n")),
-        ),
-        (
-            "<!-- uchain:engine -->",
-            format!(
-                "<script type=\"application/octet-stream\" id=\"engine\">{}</script>",
-                BASE64_STANDARD.encode(engine)
-            ),
-        ),
+        ("<!-- uchain:modules -->", bytes("modules", &texts)),
+        ("<!-- uchain:engine -->", bytes("engine", engine)),
+        (ENTRY, UNPACK.to_owned()),
         (FLIGHT, FLIGHT.to_owned()),
     ];
     let mut page = index.text.clone();
@@ -100,10 +109,17 @@ fn sources(folder: &Path) -> Result<Vec<Source>> {
     Ok(files)
 }
 
-/// A line of the import map. The name at the end of a module is what a browser calls it in its messages.
-fn import(module: &Source) -> String {
-    let text = format!("{}\n//# sourceURL=uchain/{}\n", module.text, module.name);
-    format!("\"uchain/{}\":\"data:text/javascript;base64,{}\"", module.name, BASE64_STANDARD.encode(text))
+/// Bytes in the page.
+fn bytes(id: &str, bytes: &[u8]) -> String {
+    let text = BASE64_STANDARD.encode(bytes);
+    format!("<script type=\"application/octet-stream\" id=\"{id}\">{text}</script>")
+}
+
+/// A module by the name it is imported by. The name at its end is what a browser calls it in its messages.
+fn named(module: &Source) -> (String, serde_json::Value) {
+    let name = format!("uchain/{}", module.name);
+    let text = format!("{}\n//# sourceURL={name}\n", module.text);
+    (name, text.into())
 }
 
 /// The page has all it needs inside.
@@ -177,15 +193,17 @@ mod tests {
         assert_eq!(page.matches(FLIGHT).count(), 1);
         let engine = page.split("id=\"engine\">").nth(1).unwrap().split('<').next().unwrap();
         assert_eq!(BASE64_STANDARD.decode(engine).unwrap(), b"the engine");
-        let map = page.split("type=\"importmap\">").nth(1).unwrap().split("</script>").next().unwrap();
-        let map: serde_json::Value = serde_json::from_str(map).unwrap();
-        let address = map["imports"]["uchain/map/draw.js"].as_str().unwrap();
-        let text = address.strip_prefix("data:text/javascript;base64,").unwrap();
-        let text = String::from_utf8(BASE64_STANDARD.decode(text).unwrap()).unwrap();
+        let packed = page.split("id=\"modules\">").nth(1).unwrap().split('<').next().unwrap();
+        let mut texts = String::new();
+        let packed = BASE64_STANDARD.decode(packed).unwrap();
+        GzDecoder::new(packed.as_slice()).read_to_string(&mut texts).unwrap();
+        let texts: serde_json::Value = serde_json::from_str(&texts).unwrap();
+        let text = texts["uchain/map/draw.js"].as_str().unwrap();
         assert!(
             text.starts_with("export const draw") && text.ends_with("//# sourceURL=uchain/map/draw.js\n")
         );
-        assert_eq!(map["imports"].as_object().unwrap().len(), 2);
+        assert_eq!(texts.as_object().unwrap().len(), 2);
+        assert!(page.ends_with("</script>\n") && page.contains("await import(\"uchain/main.js\")"));
     }
 
     #[test]
