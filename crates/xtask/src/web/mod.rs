@@ -34,7 +34,10 @@ pub(crate) fn web(house: &House, effort: Effort) -> Result<PathBuf> {
 /// Builds the page, and prints how large it is. Where it is.
 pub(crate) fn build(house: &House, effort: Effort) -> Result<PathBuf> {
     let wasm = engine::build(house, effort)?;
-    let zipped = pack::gzip(&wasm)?;
+    let zipped = match effort {
+        Effort::Quick => pack::gzip(&wasm)?,
+        Effort::Dist => pack::gzip_small(&wasm)?,
+    };
     let page = pack::page(&house.root.join("crates/uchain-view/web"), &zipped)?;
     let file = house.target.join("web/uchain.html");
     write_whole(&file, page.as_bytes())?;
