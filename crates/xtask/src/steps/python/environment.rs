@@ -53,7 +53,12 @@ impl Environment {
             return Ok(Err(REMEDY.to_owned()));
         }
         run(Command::new("python3").args(["-m", "venv", "--clear"]).arg(folder))?;
-        this.install(packages)?;
+        if let Err(error) = this.install(packages) {
+            if house::ci() {
+                return Err(error);
+            }
+            return Ok(Err(format!("its packages cannot be installed, perhaps there is no network: {error:#}")));
+        }
         fs::write(&stamp, wanted).with_context(|| format!("cannot write {}", stamp.display()))?;
         Ok(Ok(this))
     }
