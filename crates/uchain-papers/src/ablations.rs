@@ -6,7 +6,9 @@ use uchain_sim::{
     analyse::{Estimate, is_less_in_pairs},
     draw::figure::{Axes, Figure, Mark},
     mission::chain::{Course, Summary},
+    registry::Registry,
     run::run,
+    sweep::report::key_in_words,
 };
 
 use super::{
@@ -96,18 +98,19 @@ const FASTER: &str = "faster";
 
 /// What is compared: name, digits, and how it is read from a summary.
 type Metric = (&'static str, usize, fn(&Summary) -> Option<f64>);
-const METRICS: [Metric; 7] = [
+const METRICS: [Metric; 8] = [
     ("convergence (s)", 1, |s| Some(s.converged_s.unwrap_or(DURATION_S))),
     ("never level (runs)", 0, |s| Some(if s.converged_s.is_none() { 1.0 } else { 0.0 })),
     ("spread at the end (dB)", 2, |s| s.spread_db.map(f64::from)),
-    ("relays too many", 2, |s| Some(s.relays_used as f64 - s.relays_needed? as f64)),
+    ("relays too many", 2, |s| Some(s.relays_used.saturating_sub(s.relays_needed?) as f64)),
+    ("relays too few", 2, |s| Some(s.relays_needed?.saturating_sub(s.relays_used) as f64)),
     ("head reach (m)", 2, |s| Some(s.head_reach_m.into())),
     ("worst link (dB)", 1, |s| s.worst_link_db.map(f64::from)),
     ("wall contacts", 2, |s| Some(s.wall_contacts.into())),
 ];
 
 /// Those that are drawn.
-const DRAWN: [&str; 3] = ["convergence (s)", "spread at the end (dB)", "relays too many"];
+const DRAWN: [&str; 4] = ["convergence (s)", "spread at the end (dB)", "relays too many", "relays too few"];
 
 fn sample(runs: &[Summary], metric: &Metric) -> Vec<f64> {
     runs.iter().filter_map(metric.2).collect()
@@ -190,7 +193,7 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
         format!(
             "Convergence counts from the start and begins anew with every launch. Where it is faster because the chain is \
              shorter, it is not better: the head is stopped on its way (*head reach*), or a relay too few is in the air \
-             (*relays too many* below 0). That is so with: {}.",
+             (*relays too few*). That is so with: {}.",
             all(&shorter)
         ),
         format!("A relay too many is in the air in half of the runs or more with: {}.", all(&needless)),
@@ -206,12 +209,12 @@ fn assignment(ablation: &Ablation, value: &str, line: &str) -> String {
 
 /// Whether the head comes less far, or fewer relays are in the air than are needed, than with others.
 fn is_chain_shorter(runs: &[Summary], others: &[Summary]) -> bool {
-    let [relays, reach] = ["relays too many", "head reach (m)"].map(|name| {
-        let metric = METRICS.iter().find(|metric| metric.0 == name);
-        let of = |runs| metric.map_or_else(Vec::new, |metric| sample(runs, metric));
+    const LENGTHS: [fn(&Summary) -> Option<f64>; 2] =
+        [|s| Some(s.relays_used as f64 - s.relays_needed? as f64), |s| Some(s.head_reach_m.into())];
+    LENGTHS.iter().any(|length| {
+        let of = |runs: &[Summary]| runs.iter().filter_map(length).collect::<Vec<f64>>();
         is_less_in_pairs(&of(runs), &of(others)).is_some_and(|p| p < SIGNIFICANCE_LEVEL)
-    });
-    relays || reach
+    })
 }
 
 /// Whether convergence is faster or slower than that of others: paired t test, p of both sides.
@@ -236,12 +239,12 @@ fn picture<'a>(ablation: &Ablation, lines: &[&str], at: &impl Fn(usize, usize) -
             points: (0..ablation.values.len())
                 .filter_map(|v| {
                     let aside = 0.08 * (l as f64 - 0.5 * (lines.len() - 1) as f64);
-                    Some(((v + 1) as f64 + aside, Estimate::of(&sample(at(v, l), metric))?))
+                    Some(((v + 1) as f64 + aside, Estimate::of_never_negative(&sample(at(v, l), metric))?))
                 })
                 .collect(),
         };
         Axes {
-            x: ablation.key.to_owned(),
+            x: key_in_words(Registry::default(), ablation.key),
             y: metric.0.to_owned(),
             words: ablation.values.iter().map(|value| value.trim_matches('"').to_owned()).collect(),
             height: 130.0,
@@ -250,7 +253,7 @@ fn picture<'a>(ablation: &Ablation, lines: &[&str], at: &impl Fn(usize, usize) -
         }
     };
     Figure {
-        title: format!("{}: mean of {REPLICATES} runs and its 95 % interval", ablation.title),
+        title: format!("{}: {REPLICATES} runs of each value", ablation.title),
         axes: METRICS.iter().filter(|metric| DRAWN.contains(&metric.0)).map(axes).collect(),
     }
 }

@@ -139,9 +139,19 @@ impl Outcome {
     }
 }
 
-/// Mean and 95 % confidence interval as text, with so many digits after the point.
+/// Mean and 95 % confidence interval as text, with so many digits after the point, of what is never below 0: counts, times,
+/// lengths, shares.
 pub(crate) fn mean_with_interval(sample: &[f64], digits: usize, unit: &str) -> String {
-    let Some(estimate) = Estimate::of(sample) else { return "none".to_owned() };
+    in_words(sample, Estimate::of_never_negative(sample), digits, unit)
+}
+
+/// The same of differences, which may be below 0.
+pub(crate) fn difference_with_interval(sample: &[f64], digits: usize, unit: &str) -> String {
+    in_words(sample, Estimate::of(sample), digits, unit)
+}
+
+fn in_words(sample: &[f64], estimate: Option<Estimate>, digits: usize, unit: &str) -> String {
+    let Some(estimate) = estimate else { return "none".to_owned() };
     let (low, high) = estimate.interval();
     let mean = estimate.mean;
     // Of a few values the interval says little, and may leave the possible.

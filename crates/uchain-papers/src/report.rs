@@ -10,11 +10,11 @@ const INTRODUCTION: &str = "\
 Published values beside ours. Every run is a function of scenario and seed: the same command gives the same report, and
 a test fails when the code no longer gives this one. Where it says **no**, that is a result.
 
-How it is judged: numbers in parentheses are the 95 % interval of the mean (Student's t, from eight values on) or of a
-saving (bootstrap over pairs). p is of one side unless it says otherwise: Mann–Whitney for times and spreads, with A, how
-often a value of the group said to be smaller is below one of the other (0.5: no difference); McNemar's exact test for
-launches under the same noise; a t test in pairs. *Agrees* means, of an order: p < 0.05; of anything else: what the item
-says. A dash: nothing published, or ours is no evidence.
+How it is judged: numbers in parentheses are the 95 % interval of the mean (Student's t, from eight values on; cut at 0
+where nothing is below, as of counts and times) or of a saving (bootstrap over pairs). p is of one side unless it says
+otherwise: Mann–Whitney for times and spreads, with A, how often a value of the group said to be smaller is below one of
+the other (0.5: no difference); McNemar's exact test for launches under the same noise; a t test in pairs. *Agrees*
+means, of an order: p < 0.05; of anything else: what the item says. A dash: nothing published, or ours is no evidence.
 
 What was set after a first look at results, each for a reason of its own: with the authors' settings UAVs slow only nearer
 to walls than the middle of their corridor (fig4d says how far the head comes with and without), UAVs that start in a corner

@@ -87,6 +87,30 @@ fn a_report_says_mean_median_and_interval_of_every_cell_and_draws_them() {
     assert_eq!(uchain(here.path(), &["report", "nowhere"]).status.code(), Some(3));
 }
 
+/// A relay takes off in one of six runs or two: Student's t alone would say that it may be fewer than none.
+#[test]
+fn no_interval_of_a_count_is_below_0() {
+    let here = folder();
+    let args =
+        ["sweep", "corner", "--set", "duration_s=18", "--vary", "radio.sigma_db=3,6", "--replicates", "6"];
+    ok(uchain(here.path(), &[&args[..], &["--out", "a", "--quiet"]].concat()));
+    ok(uchain(here.path(), &["report", "a", "--quiet"]));
+    let csv = fs::read_to_string(here.path().join("a/report.csv")).unwrap();
+    let rows = csv.lines().filter(|line| line.starts_with("relays_used,"));
+    let rows: Vec<Vec<f64>> =
+        rows.map(|row| row.split(',').skip(4).map(|cell| cell.parse().unwrap()).collect()).collect();
+    assert_eq!(rows.len(), 2);
+    for row in rows {
+        let [mean, low, high, _] = row[..] else { panic!("{row:?}") };
+        assert!(2.0 * mean - high < 0.0, "nothing to cut: {row:?}");
+        assert_eq!(low, 0.0);
+    }
+    let written = fs::read_to_string(here.path().join("a/report.md")).unwrap();
+    assert!(written.contains("those of counts are cut at 0"), "{written}");
+    let drawn = fs::read_to_string(here.path().join("a/plots/relays_used.svg")).unwrap();
+    assert!(drawn.contains("cut at 0") && drawn.contains("relays in the air at the end"), "{drawn}");
+}
+
 #[test]
 fn an_exploration_is_swept_like_a_chain() {
     let here = folder();

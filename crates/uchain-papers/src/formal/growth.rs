@@ -154,9 +154,8 @@ pub(super) fn add(outcome: &mut Outcome) -> Result<(), PaperError> {
         }
     }
     let axes = Axes {
-        title: "light: square law".to_owned(),
-        x: "log10 of the number of links".to_owned(),
-        y: "log10 of decisions".to_owned(),
+        x: "number of links, as its logarithm to base 10".to_owned(),
+        y: "decisions, likewise".to_owned(),
         height: 260.0,
         marks,
         ..Axes::default()

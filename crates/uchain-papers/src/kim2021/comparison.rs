@@ -208,7 +208,7 @@ impl Comparison {
                     .filter_map(|n| {
                         // Side by side, so that the intervals show.
                         let x = (n + 1) as f64 + 0.12 * (strategy as f64 - 1.0);
-                        Some((x, Estimate::of(&self.sample(strategy, n, metric))?))
+                        Some((x, Estimate::of_never_negative(&self.sample(strategy, n, metric))?))
                     })
                     .collect(),
             };
@@ -221,7 +221,8 @@ impl Comparison {
                 ..Axes::default()
             }
         };
-        let axes = vec![axes(ITERATIONS, "iterations"), axes(DISTANCE, "distance per robot (m)")];
+        let axes =
+            vec![axes(ITERATIONS, "rounds until all is seen"), axes(DISTANCE, "distance per robot (m)")];
         Figure { title: title.to_owned(), axes }
     }
 }

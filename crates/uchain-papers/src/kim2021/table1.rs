@@ -119,7 +119,7 @@ fn heights(history: &ExploreHistory) -> Figure {
         title: "Heights of two quadrotors (Kim 2021, Fig. 17)".to_owned(),
         axes: vec![Axes {
             x: "time (s)".to_owned(),
-            y: "z (m)".to_owned(),
+            y: "height (m)".to_owned(),
             height: 180.0,
             marks: vec![line(0, Stroke::Solid), line(1, Stroke::Dashed)],
             ..Axes::default()

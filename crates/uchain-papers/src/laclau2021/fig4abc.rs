@@ -236,11 +236,11 @@ fn corner(all: &[ConvergenceRun], centre_line: &str) -> Result<[Row; 2], PaperEr
 
 fn panel_of(title: &str, run: &ConvergenceRun) -> Axes {
     Axes {
-        title: format!("{title} (dashed: true, light: raw)"),
+        title: title.to_owned(),
         x: "time (s)".to_owned(),
-        y: "loss (dB)".to_owned(),
+        y: "loss of the link (dB)".to_owned(),
         height: 180.0,
-        marks: loss_curves(&run.samples, true),
+        marks: loss_curves(&run.samples, 0..usize::MAX, true),
         ..Axes::default()
     }
 }

@@ -2,14 +2,14 @@
 
 use uchain_sim::{
     analyse::is_rarer_in_pairs,
-    draw::figure::{Axes, Figure, Mark},
+    draw::figure::{Axes, Figure},
 };
 
 use super::{
     exploration::{
         DURATION_S, END_S, Exploration, Flight, REPLICATES, RunsByTreatment, S_MIN_DB, STOP_S, TREATMENTS,
     },
-    trace::loss_curves,
+    trace::{loss_curves, threshold},
 };
 use crate::{
     Item, Outcome, PaperError, Row, RunCache, Table,
@@ -159,8 +159,8 @@ fn notes(flown: &Exploration) -> Vec<String> {
             counts.join("; ")
         ),
         note_on_optic_flow(flown.simulated(), &flown.without_flow),
-        "Pictures are of the second reading. Light lines are raw samples at a link's front end, which relays go by under T0 \
-         and T5; solid ones what the filter makes of them under K."
+        "Pictures are of the second reading. Dots are raw samples at a link's front end, which relays go by under T0 and T5; \
+         solid lines what the filter makes of them under K."
             .to_owned(),
     ]
 }
@@ -216,14 +216,14 @@ fn note_on_optic_flow(with: &[Flight], without: &[Flight]) -> String {
 fn loss_axes(name: &str, run: &Flight) -> Axes {
     let launches: Vec<String> = run.launches_s.iter().map(|at_s| format!("{at_s:.1}")).collect();
     let is_filtered = name == "K";
-    let strokes = if is_filtered { "dashed: true, light: raw" } else { "dashed: true, light: raw, as used" };
-    let level = Mark::Level { name: "s_min".to_owned(), y: S_MIN_DB };
     Axes {
-        title: format!("{name} ({strokes}; launches at {} s)", launches.join(", ")),
+        title: format!("{name}, launches at {} s", launches.join(", ")),
         x: "time (s)".to_owned(),
-        y: "loss (dB)".to_owned(),
+        y: "loss of the link toward the base (dB)".to_owned(),
         height: 210.0,
-        marks: std::iter::once(level).chain(loss_curves(&run.samples, is_filtered)).collect(),
+        marks: std::iter::once(threshold(S_MIN_DB))
+            .chain(loss_curves(&run.samples, 0..usize::MAX, is_filtered))
+            .collect(),
         ..Axes::default()
     }
 }

@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     Item, Outcome, PaperError, Row, RunCache, Table,
-    outcome::{cell, is_significant, mann_whitney, mean_with_interval, p_value},
+    outcome::{cell, difference_with_interval, is_significant, mann_whitney, mean_with_interval, p_value},
 };
 
 pub(crate) const FIG4E: Item =
@@ -136,7 +136,7 @@ fn early_levels<'a>(readings: impl Iterator<Item = (&'static str, &'a RunsByTrea
         if left.len() < pairs.len() {
             rest.push(format!(
                 " Without such pairs K is later by {} ({how}).",
-                mean_with_interval(&left, 1, " s")
+                difference_with_interval(&left, 1, " s")
             ));
         }
     }
@@ -181,7 +181,7 @@ fn verdicts(how: &str, treated: &RunsByTreatment) -> Vec<Row> {
     rows.push(Row::claim(
         &format!("K about as fast as T0 or faster, {how}"),
         "about as fast or faster",
-        format!("later by {}; slower: {slower}", mean_with_interval(&later, 1, " s")),
+        format!("later by {}; slower: {slower}", difference_with_interval(&later, 1, " s")),
         most_s <= margin_s,
     ));
     rows

@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use uchain_sim::{
     analyse::Estimate,
-    draw::figure::{Axes, Figure, Mark},
+    draw::figure::{Axes, Figure},
     mission::chain::Course,
     record::RecordError,
     sweep::Run,
 };
 
-use super::trace::{Sample, Trace, loss_curves, record_trace, spread};
+use super::trace::{Sample, Trace, loss_curves, record_trace, spread, threshold};
 use crate::{
     Item, Outcome, PaperError, Row, RunCache, Table,
     experiment::{Experiment, RecordedRun, each_run, scenario},
@@ -200,17 +200,32 @@ fn rows(runs: &[Flown]) -> Vec<Row> {
     ]
 }
 
-/// After Fig. 6B.
+/// After Fig. 6B, a box for each link: the losses of all three are the same at the end.
 fn picture(run: Option<&Flown>) -> Figure {
-    let level = Mark::Level { name: "s_min".to_owned(), y: S_MIN_DB };
-    let losses = run.map_or_else(Vec::new, |run| loss_curves(&run.samples, true));
-    let axes = Axes {
-        title: "solid: filtered, dashed: true, light: raw".to_owned(),
+    const NAMES: [&str; RELAYS + 1] =
+        ["from the head to relay 1", "from relay 1 to relay 2", "from relay 2 to the base"];
+    let samples = run.map_or(&[][..], |run| run.samples.as_slice());
+    let (low, high) = losses(samples);
+    let axes = |(link, name): (usize, &&str)| Axes {
+        title: format!("link {name}"),
         x: "time (s)".to_owned(),
         y: "loss (dB)".to_owned(),
-        height: 260.0,
-        marks: std::iter::once(level).chain(losses).collect(),
+        height: 150.0,
+        shown: Some([(0.0, low), (DURATION_S, high)]),
+        marks: std::iter::once(threshold(S_MIN_DB))
+            .chain(loss_curves(samples, link..link + 1, true))
+            .collect(),
         ..Axes::default()
     };
-    Figure { title: "Losses of the three links, one run (Laclau 2021, Fig. 6B)".to_owned(), axes: vec![axes] }
+    Figure {
+        title: "Losses of the three links, one run (Laclau 2021, Fig. 6B)".to_owned(),
+        axes: NAMES.iter().enumerate().map(axes).collect(),
+    }
+}
+
+/// The least and the largest loss of any link, as measured or true (dB).
+fn losses(samples: &[Sample]) -> (f64, f64) {
+    let links = samples.iter().flat_map(|sample| &sample.links);
+    let values = links.flat_map(|link| [Some(link.true_db), link.raw_db, link.filtered_db]).flatten();
+    values.map(f64::from).fold((S_MIN_DB, S_MIN_DB), |(low, high), db| (low.min(db), high.max(db)))
 }

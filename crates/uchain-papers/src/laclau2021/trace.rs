@@ -1,9 +1,9 @@
 //! Time series of a run: losses and depths at every decision, and how the figures draw them.
 
-use std::sync::Arc;
+use std::{ops::Range, sync::Arc};
 
 use uchain_sim::{
-    draw::figure::{Mark, Stroke},
+    draw::figure::{Known, Mark},
     mission::chain::{Course, Frame, History, LinkFrame, Summary},
     record::{RecordError, Recorder},
     run::run,
@@ -85,19 +85,23 @@ impl Recorder<Frame> for TraceRecorder<'_> {
     }
 }
 
-/// Curves of the losses over time as the authors draw them: true ones dashed, raw ones light, and filtered ones where
-/// they are what relays go by.
-pub(super) fn loss_curves(samples: &[Sample], is_filtered: bool) -> Vec<Mark> {
-    let links = samples.iter().map(|sample| sample.links.len()).max().unwrap_or(0);
-    let line = |link: usize, kind: &str, stroke, of: fn(&LinkFrame) -> Option<f32>| {
+/// Curves of the losses of these links over time; filtered ones where they are what relays go by.
+pub(super) fn loss_curves(samples: &[Sample], links: Range<usize>, is_filtered: bool) -> Vec<Mark> {
+    let curve = |link: usize, word: &str, known, of: fn(&LinkFrame) -> Option<f32>| {
         let point = |sample: &Sample| Some((sample.time_s, f64::from(of(sample.links.get(link)?)?)));
-        let points = samples.iter().filter_map(point).collect();
-        Mark::Line { name: format!("link {link} {kind}"), colour: link, stroke, points }
+        let points: Vec<(f64, f64)> = samples.iter().filter_map(point).collect();
+        Mark::Loss { name: format!("link {link} {word}"), uav: link, known, points }
     };
-    let raw = (0..links).map(|link| line(link, "raw", Stroke::Light, |link| link.raw_db));
-    let filtered = (0..links)
-        .filter(|_| is_filtered)
-        .map(|link| line(link, "filtered", Stroke::Solid, |link| link.filtered_db));
-    let truly = (0..links).map(|link| line(link, "true", Stroke::Dashed, |link| Some(link.true_db)));
+    let most = samples.iter().map(|sample| sample.links.len()).max().unwrap_or(0);
+    let links = links.start..links.end.min(most);
+    let raw = links.clone().map(|link| curve(link, "raw", Known::Raw, |link| link.raw_db));
+    let filtered = links.clone().filter(|_| is_filtered);
+    let filtered = filtered.map(|link| curve(link, "filtered", Known::Filtered, |link| link.filtered_db));
+    let truly = links.clone().map(|link| curve(link, "true", Known::True, |link| Some(link.true_db)));
     raw.chain(filtered).chain(truly).collect()
+}
+
+/// The threshold of a launch in a box over time.
+pub(super) fn threshold(s_min_db: f64) -> Mark {
+    Mark::Level { name: format!("s_min {s_min_db} dB"), y: s_min_db }
 }

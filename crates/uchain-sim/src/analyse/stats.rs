@@ -15,6 +15,9 @@ pub struct Estimate {
     pub mean: f64,
     /// Half of the 95 % interval around the mean, by Student's t; `None` of one value.
     pub half_width: Option<f64>,
+    /// Of something that is never below 0, such as a count: there its interval is cut.
+    #[serde(skip)]
+    pub is_never_negative: bool,
     /// Median; the mean of the two middle values of an even number.
     pub median: f64,
 }
@@ -41,13 +44,29 @@ impl Estimate {
                 sample.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / (n - 1.0);
             t.inverse_cdf(f64::midpoint(1.0, CONFIDENCE)) * (variance / n).sqrt()
         });
-        Some(Self { count, mean, half_width, median })
+        Some(Self { count, mean, half_width, is_never_negative: false, median })
+    }
+
+    /// Of a sample of something that is never below 0, such as a count or a time. Its mean is not below 0 either, so
+    /// what the interval loses by the cut never holds it: the confidence stays.
+    ///
+    /// ```
+    /// use uchain_sim::analyse::Estimate;
+    /// let contacts = [0.0, 0.0, 0.0, 1.0];
+    /// assert!(Estimate::of(&contacts).unwrap().interval().0 < -0.5);
+    /// assert_eq!(Estimate::of_never_negative(&contacts).unwrap().interval().0, 0.0);
+    /// ```
+    pub fn of_never_negative(sample: &[f64]) -> Option<Self> {
+        // Who is wrong about it is not contradicted by an interval without the mean.
+        let is_so = sample.iter().all(|value| *value >= 0.0);
+        Some(Self { is_never_negative: is_so, ..Self::of(sample)? })
     }
 
     /// Ends of the 95 % interval around the mean, or the mean twice.
     pub fn interval(&self) -> (f64, f64) {
         let half = self.half_width.unwrap_or(0.0);
-        (self.mean - half, self.mean + half)
+        let low = self.mean - half;
+        (if self.is_never_negative { low.max(0.0) } else { low }, self.mean + half)
     }
 }
 

@@ -1,52 +1,57 @@
-//! One colour per UAV, the same in every panel.
+//! What colours mean, the same in every picture. Told apart by colour-blind eyes as well: Okabe and Ito, Color Universal
+//! Design.
 
 use kuva::render::color::Color;
+use uchain_core::bounded;
 
-/// Told apart by most eyes, dark enough for thin lines on white.
-const FEW: [[u8; 3]; 8] = [
-    [0xd6, 0x27, 0x28],
-    [0x1f, 0x77, 0xb4],
-    [0x2c, 0xa0, 0x2c],
-    [0xff, 0x7f, 0x0e],
-    [0x94, 0x67, 0xbd],
-    [0x8c, 0x56, 0x4b],
-    [0x17, 0xa2, 0xb8],
-    [0xe3, 0x5f, 0xa8],
+/// By number of a UAV; with more of them colours come again, and numbers or boxes of their own tell them apart.
+const UAVS: [[u8; 3]; 6] = [
+    [0xd5, 0x5e, 0x00],
+    [0x00, 0x72, 0xb2],
+    [0x00, 0x9e, 0x73],
+    [0xe6, 0x9f, 0x00],
+    [0xcc, 0x79, 0xa7],
+    [0x56, 0xb4, 0xe9],
 ];
 
-/// Stops of a ramp for longer chains: red at the head to violet at the base.
-const RAMP: [[u8; 3]; 6] = [
-    [0xd6, 0x27, 0x28],
-    [0xf0, 0x9a, 0x1a],
-    [0x6f, 0xa8, 0x2c],
-    [0x17, 0xa2, 0xa8],
-    [0x2f, 0x5f, 0xc4],
-    [0x7a, 0x2f, 0x9e],
-];
+/// The first of them are dark.
+const DARK: usize = 2;
 
-/// Of UAV `index` among `count`.
-pub(crate) fn of_uav(index: usize, count: usize) -> Color {
-    rgb(mixed(index, count))
+/// A link that is so much better or worse than the threshold is as good or bad as links are (dB).
+const SHADES_DB: f64 = 20.0;
+/// Stops of a link's colour: good, at the threshold, bad. The middle one is yellow, darkened for a light ground.
+const LINK: [[u8; 3]; 3] = [[0x00, 0x72, 0xb2], [0xc9, 0xb4, 0x00], [0xd5, 0x5e, 0x00]];
+
+/// Most lines in one box over time; there are as many colours.
+pub(crate) const LINES_MAX: usize = UAVS.len();
+
+/// Of the UAV, robot or line of this number.
+pub(crate) fn of_uav(index: usize) -> Color {
+    rgb(UAVS[index % UAVS.len()].map(f64::from))
 }
 
-/// The same, lighter: what is estimated.
-pub(crate) fn of_estimate(index: usize, count: usize) -> Color {
-    rgb(mixed(index, count).map(|c| 0.45 * c + 0.55 * 255.0))
+/// The same, lighter: what stays in the background.
+pub(crate) fn light_of_uav(index: usize) -> Color {
+    rgb(UAVS[index % UAVS.len()].map(|channel| 0.45 * f64::from(channel) + 0.55 * 255.0))
 }
 
-fn mixed(index: usize, count: usize) -> [f32; 3] {
-    if count <= FEW.len() {
-        return FEW[index % FEW.len()].map(f32::from);
-    }
-    let along = index.min(count - 1) as f32 / (count - 1) as f32 * (RAMP.len() - 1) as f32;
-    let stop = (along as usize).min(RAMP.len() - 2);
-    let share = along - stop as f32;
-    let (from, to) = (RAMP[stop], RAMP[stop + 1]);
-    std::array::from_fn(|i| (1.0 - share) * f32::from(from[i]) + share * f32::from(to[i]))
+/// What is legible on the colour of a UAV.
+pub(crate) fn ink_on_uav(index: usize) -> Color {
+    if index % UAVS.len() < DARK { FREE } else { INK }
 }
 
-fn rgb([r, g, b]: [f32; 3]) -> Color {
-    Color::Rgb(r as u8, g as u8, b as u8)
+/// Of a link by its loss against the threshold of a launch (dB).
+pub(crate) fn of_link(loss_db: f64, s_min_db: f64) -> Color {
+    let worse = (loss_db - s_min_db) / SHADES_DB;
+    // A loss that is no number is as bad as any.
+    let worse = if worse.is_nan() { 1.0 } else { bounded(worse, -1.0, 1.0) };
+    let (from, to, share) =
+        if worse < 0.0 { (LINK[0], LINK[1], worse + 1.0) } else { (LINK[1], LINK[2], worse) };
+    rgb(std::array::from_fn(|i| (1.0 - share) * f64::from(from[i]) + share * f64::from(to[i])))
+}
+
+fn rgb([r, g, b]: [f64; 3]) -> Color {
+    Color::Rgb(r.round() as u8, g.round() as u8, b.round() as u8)
 }
 
 /// Text and outlines.
@@ -59,3 +64,19 @@ pub(crate) const ROCK: Color = Color::Rgb(0xd9, 0xd5, 0xcf);
 pub(crate) const FREE: Color = Color::Rgb(0xff, 0xff, 0xff);
 /// Walls.
 pub(crate) const WALL: Color = Color::Rgb(0x55, 0x4d, 0x45);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_link_is_blue_yellow_or_vermilion_by_its_loss_against_the_threshold() {
+        let colour = |loss_db| of_link(loss_db, 60.0);
+        assert_eq!(colour(-400.0), colour(40.0));
+        assert_eq!(colour(40.0), Color::Rgb(0x00, 0x72, 0xb2));
+        assert_eq!(colour(60.0), Color::Rgb(0xc9, 0xb4, 0x00));
+        assert_eq!(colour(80.0), Color::Rgb(0xd5, 0x5e, 0x00));
+        assert_eq!(colour(f64::NAN), colour(80.0));
+        assert_eq!(colour(50.0), Color::Rgb(101, 147, 89), "halfway between blue and yellow");
+    }
+}

@@ -1,16 +1,22 @@
-//! Pictures. kuva lives here only.
+//! Pictures, and the one visual language they speak. kuva lives here only.
 
 pub(crate) mod colour;
+pub(crate) mod dots;
 #[cfg(feature = "sweep")]
 pub mod figure;
 pub(crate) mod ground;
+pub(crate) mod key;
+pub(crate) mod label;
+pub(crate) mod loss;
 pub(crate) mod panel;
+#[cfg(test)]
+pub(crate) mod said;
 #[cfg(feature = "sweep")]
 pub mod sweep;
 
 use kuva::{RasterBackend, backend::svg::SvgBackend, render::render::Scene};
 
-pub(crate) use panel::{FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE};
+pub(crate) use panel::{FIGURE_WIDTH, LEFT, Panel, TEXT_LABEL, TEXT_LARGE};
 
 /// Pixels of the PNG per unit of the drawing; 1400 px across.
 pub(crate) const SCALE: f32 = 2.0;

@@ -12,7 +12,7 @@ use super::colour::INK;
 /// Width of the page.
 pub(crate) const FIGURE_WIDTH: f64 = 700.0;
 /// Room left of the axes for numbers and the label.
-const LEFT: f64 = 54.0;
+pub(crate) const LEFT: f64 = 54.0;
 /// Room right of the axes for the legend.
 const RIGHT: f64 = 112.0;
 /// Width of the axes' box.
@@ -23,12 +23,15 @@ pub(crate) const TEXT_LARGE: u32 = 13;
 /// Size of axis labels.
 pub(crate) const TEXT_LABEL: u32 = 11;
 /// Size of numbers and legends.
-const TEXT_SMALL: u32 = 10;
+pub(crate) const TEXT_SMALL: u32 = 10;
+/// Width of a letter of that size, most of them.
+pub(crate) const LETTER: f64 = 5.8;
 /// Distance between two lines of a legend.
-pub(crate) const ROW: f64 = 15.0;
+const ROW: f64 = 15.0;
 
 /// A pair of axes.
 pub(crate) struct Panel {
+    ranges: [(f64, f64); 2],
     layout: Layout,
     computed: ComputedLayout,
 }
@@ -36,10 +39,21 @@ pub(crate) struct Panel {
 impl Panel {
     /// Axes with a grid, whose box starts `top` below the page's upper edge.
     pub(crate) fn new(top: f64, height: f64, x_range: (f64, f64), y_range: (f64, f64)) -> Self {
+        Self::within((LEFT, FIGURE_WIDTH - RIGHT), top, height, x_range, y_range)
+    }
+
+    /// The same between two places across the page.
+    pub(crate) fn within(
+        (left, right): (f64, f64),
+        top: f64,
+        height: f64,
+        x_range: (f64, f64),
+        y_range: (f64, f64),
+    ) -> Self {
         let layout = Layout::new(x_range, y_range)
             .with_width(FIGURE_WIDTH)
             .with_height(top + height)
-            .with_force_margins(LEFT, RIGHT)
+            .with_force_margins(left, FIGURE_WIDTH - right)
             .with_force_margins_y(top, 0.0)
             .with_x_axis_min(x_range.0)
             .with_x_axis_max(x_range.1)
@@ -48,7 +62,7 @@ impl Panel {
             .with_tick_size(TEXT_SMALL)
             .with_box_axes();
         let computed = ComputedLayout::from_layout(&layout);
-        Self { layout, computed }
+        Self { ranges: [x_range, y_range], layout, computed }
     }
 
     /// The same without a grid.
@@ -64,10 +78,9 @@ impl Panel {
         self
     }
 
-    /// The same with whole numbers on the horizontal axis.
-    #[cfg(feature = "sweep")]
-    pub(crate) fn with_whole_x(mut self) -> Self {
-        self.layout = self.layout.with_x_tick_step(1.0);
+    /// The same with numbers on the horizontal axis so far apart.
+    pub(crate) fn with_x_step(mut self, step: f64) -> Self {
+        self.layout = self.layout.with_x_tick_step(step);
         self.computed = ComputedLayout::from_layout(&self.layout);
         self
     }
@@ -95,6 +108,12 @@ impl Panel {
         self.computed.height - self.computed.margin_bottom
     }
 
+    /// What its lower left and its upper right corner show.
+    pub(crate) fn ranges(&self) -> ((f64, f64), (f64, f64)) {
+        let [x, y] = self.ranges;
+        ((x.0, y.0), (x.1, y.1))
+    }
+
     /// Where a value lies on the page.
     pub(crate) fn at(&self, x: f64, y: f64) -> (f64, f64) {
         (self.computed.map_x(x), self.computed.map_y(y))
@@ -107,17 +126,20 @@ impl Panel {
 
     /// The grid, the box, its numbers and labels.
     pub(crate) fn axes(&self, scene: &mut Scene, x_label: &str, y_label: &str) {
+        self.grid(scene);
+        name_axes(scene, self, self, x_label, y_label);
+    }
+
+    /// The grid, the box and its numbers.
+    pub(crate) fn grid(&self, scene: &mut Scene) {
         add_axes_and_grid(scene, &self.computed, &self.layout);
-        let middle = (f64::midpoint(self.left(), self.right()), f64::midpoint(self.top(), self.bottom()));
-        scene.add(label((middle.0, self.bottom() + 33.0), x_label, None));
-        scene.add(label((14.0, middle.1), y_label, Some(-90.0)));
     }
 
     /// Nothing that follows leaves the box, until [`unclip`].
     pub(crate) fn clip(&self, scene: &mut Scene) {
         let (x, y) = (self.left(), self.top());
         let (width, height) = (self.right() - x, self.bottom() - y);
-        scene.add(Primitive::ClipStart { x, y, width, height, id: format!("box{y}") });
+        scene.add(Primitive::ClipStart { x, y, width, height, id: format!("box{x}-{y}") });
     }
 
     /// A line through values; a gap wherever a value is missing.
@@ -142,6 +164,20 @@ impl Panel {
             }
         }
     }
+}
+
+/// Labels of the axes of boxes that share them: of one, or of all from the upper left to the lower right one.
+pub(crate) fn name_axes(scene: &mut Scene, first: &Panel, last: &Panel, x_label: &str, y_label: &str) {
+    let middle = (f64::midpoint(first.left(), last.right()), f64::midpoint(first.top(), last.bottom()));
+    scene.add(label((middle.0, last.bottom() + 33.0), x_label, None));
+    scene.add(label((first.left() - 40.0, middle.1), y_label, Some(-90.0)));
+}
+
+/// A round number, so that at most so many of its multiples lie within a span.
+pub(crate) fn round_step(span: f64, most: usize) -> f64 {
+    let least = (span / most.max(1) as f64).max(1e-9);
+    let power = libm::exp10(libm::log10(least).floor());
+    [1.0, 2.0, 5.0].map(|digit| digit * power).into_iter().find(|step| *step >= least).unwrap_or(10.0 * power)
 }
 
 /// Ends what [`Panel::clip`] began.

@@ -7,19 +7,19 @@ use super::{
 use crate::analyse::Estimate;
 
 /// Most lines in one picture.
-pub const LINES_MAX: usize = 8;
+pub const LINES_MAX: usize = super::colour::LINES_MAX;
 /// Height of the box.
 const HEIGHT: f64 = 250.0;
 
 /// What stands along the horizontal axis of a picture, and what is drawn over it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Chart<'a> {
+pub struct Chart {
     /// Title.
     pub title: String,
-    /// Name of the vertical axis.
-    pub metric: &'a str,
-    /// Name of the horizontal axis.
-    pub key: &'a str,
+    /// Name of the vertical axis, in words.
+    pub metric: String,
+    /// Name of the horizontal axis, in words.
+    pub key: String,
     /// The lines; those past [`LINES_MAX`] are left out.
     pub lines: Vec<Line>,
 }
@@ -27,7 +27,7 @@ pub struct Chart<'a> {
 /// Estimates that belong together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
-    /// What the legend calls it; empty if there is nothing to tell apart.
+    /// What it is called at its end; empty if there is nothing to tell apart.
     pub name: String,
     /// Values of the key, and what came of them.
     pub points: Vec<(f64, Estimate)>,
@@ -37,16 +37,16 @@ pub struct Line {
 ///
 /// # Errors
 /// [`DrawError::Raster`].
-pub fn chart(chart: &Chart<'_>) -> Result<Picture, DrawError> {
+pub fn chart(chart: &Chart) -> Result<Picture, DrawError> {
     let lines = chart.lines.iter().take(LINES_MAX).enumerate();
     let marks = lines.map(|(colour, line)| Mark::Estimates {
-        name: line.name.trim_matches('"').to_owned(),
+        name: line.name.clone(),
         colour,
         points: line.points.clone(),
     });
     let axes = Axes {
-        x: chart.key.to_owned(),
-        y: chart.metric.to_owned(),
+        x: chart.key.clone(),
+        y: chart.metric.clone(),
         height: HEIGHT,
         marks: marks.collect(),
         ..Axes::default()

@@ -2,17 +2,17 @@
 
 use kuva::render::{color::Color, render::Scene};
 
-use super::{Axes, Mark, Stroke};
+use super::{Axes, Known, Mark, Stroke};
 use crate::{
     analyse::Estimate,
     draw::{
-        colour::{self, GREY, INK},
-        panel::{Panel, dot, legend, rule},
+        colour::{self, GREY},
+        label::Ending,
+        loss,
+        panel::{Panel, dot, rule},
     },
 };
 
-/// Most colours.
-const COLOURS: usize = 8;
 /// Half of the width of a distribution's box, in units of the axis.
 const HALF_BOX: f64 = 0.28;
 
@@ -27,7 +27,10 @@ fn quantile(sorted: &[f64], share: f64) -> f64 {
 impl Mark {
     pub(super) fn name(&self) -> &str {
         match self {
-            Self::Line { name, .. } | Self::Estimates { name, .. } | Self::Level { name, .. } => name,
+            Self::Line { name, .. }
+            | Self::Loss { name, .. }
+            | Self::Estimates { name, .. }
+            | Self::Level { name, .. } => name,
             Self::Distribution { .. } => "",
         }
     }
@@ -44,7 +47,9 @@ impl Mark {
             [series.to_owned(), word(x), number(y), String::new(), String::new()]
         };
         match self {
-            Self::Line { name, points, .. } => points.iter().map(|(x, y)| row(name, *x, *y)).collect(),
+            Self::Line { name, points, .. } | Self::Loss { name, points, .. } => {
+                points.iter().map(|(x, y)| row(name, *x, *y)).collect()
+            }
             Self::Estimates { name, points, .. } => points
                 .iter()
                 .map(|(x, estimate)| {
@@ -59,25 +64,48 @@ impl Mark {
         }
     }
 
-    /// Has a row of the legend.
-    pub(super) fn is_explained(&self) -> bool {
-        !self.name().is_empty() && !matches!(self, Self::Line { stroke: Stroke::Light, .. })
-    }
-
     fn ink(&self) -> Color {
         match self {
-            Self::Line { colour, stroke: Stroke::Light, .. } => colour::of_estimate(*colour, COLOURS),
+            Self::Line { colour, stroke: Stroke::Light, .. } => colour::light_of_uav(*colour),
             Self::Line { colour, .. }
             | Self::Estimates { colour, .. }
-            | Self::Distribution { colour, .. } => colour::of_uav(*colour, COLOURS),
-            Self::Level { .. } => INK,
+            | Self::Distribution { colour, .. } => colour::of_uav(*colour),
+            Self::Loss { uav, .. } => colour::of_uav(*uav),
+            Self::Level { .. } => GREY,
         }
+    }
+
+    /// Its name at its right end. Of what is known of a link's loss only one has it: `all` are in the box.
+    pub(super) fn ending(&self, panel: &Panel, all: &[Self]) -> Option<Ending> {
+        let (at, words) = match self {
+            Self::Distribution { .. } => return None,
+            Self::Line { points, .. } => (*points.last()?, self.name().to_owned()),
+            Self::Estimates { points, .. } => {
+                let (x, estimate) = points.last()?;
+                ((*x, estimate.mean), self.name().to_owned())
+            }
+            Self::Loss { uav, known, points, .. } => {
+                let is_better = |other: &Self| matches!(other, Self::Loss { uav: u, known: k, points, .. } if u == uav && *k == Known::Filtered && !points.is_empty());
+                if *known == Known::Raw || (*known == Known::True && all.iter().any(is_better)) {
+                    return None;
+                }
+                let head = if *uav == 0 { ", head" } else { "" };
+                (*points.last()?, format!("UAV {uav}{head}"))
+            }
+            Self::Level { y, .. } => {
+                let (_, y) = panel.at(0.0, *y);
+                return Some(Ending { at: (panel.right(), y), words: self.name().to_owned(), colour: GREY });
+            }
+        };
+        (!words.is_empty()).then(|| Ending { at: panel.at(at.0, at.1), words, colour: self.ink() })
     }
 
     /// What must be seen of it.
     pub(super) fn points(&self) -> Vec<(Option<f64>, f64)> {
         match self {
-            Self::Line { points, .. } => points.iter().map(|(x, y)| (Some(*x), *y)).collect(),
+            Self::Line { points, .. } | Self::Loss { points, .. } => {
+                points.iter().map(|(x, y)| (Some(*x), *y)).collect()
+            }
             Self::Estimates { points, .. } => {
                 let ends =
                     |(x, y): &(f64, Estimate)| <[f64; 2]>::from(y.interval()).map(|end| (Some(*x), end));
@@ -92,12 +120,15 @@ impl Mark {
         let ink = self.ink();
         match self {
             Self::Line { stroke, points, .. } => {
-                let on_page = || points.iter().map(|(x, y)| panel.at(*x, *y));
+                let values = points.iter().copied().map(Some);
                 match stroke {
-                    Stroke::Dashed => dashed(scene, on_page(), &ink),
-                    Stroke::Solid => panel.line(scene, points.iter().copied().map(Some), &ink, 1.3),
-                    Stroke::Light => panel.line(scene, points.iter().copied().map(Some), &ink, 0.8),
+                    Stroke::Dashed => loss::dashed_line(scene, panel, values, &ink, 1.7),
+                    Stroke::Solid => panel.line(scene, values, &ink, 1.5),
+                    Stroke::Light => panel.line(scene, values, &ink, 0.8),
                 }
+            }
+            Self::Loss { uav, known, points, .. } => {
+                loss::series(scene, panel, *known, *uav, points.iter().copied().map(Some));
             }
             Self::Estimates { points, .. } => {
                 panel.line(scene, points.iter().map(|(x, y)| Some((*x, y.mean))), &ink, 1.4);
@@ -112,49 +143,8 @@ impl Mark {
                 }
             }
             Self::Distribution { at, values, .. } => distribution(scene, panel, *at, values, &ink),
-            Self::Level { y, .. } => {
-                let (_, y) = panel.at(0.0, *y);
-                rule(scene, (panel.left(), y), (panel.right(), y), &ink, 1.0, Some("6 4"));
-            }
+            Self::Level { y, .. } => loss::threshold(scene, panel, *y),
         }
-    }
-
-    pub(super) fn explain(&self, scene: &mut Scene, panel: &Panel, row: usize) {
-        let (x, y) = legend(scene, panel, row, self.name());
-        let dash = match self {
-            Self::Level { .. } => Some("6 4"),
-            Self::Line { stroke: Stroke::Dashed, .. } => Some("5 3"),
-            _ => None,
-        };
-        rule(scene, (x - 8.0, y), (x + 8.0, y), &self.ink(), 1.8, dash);
-    }
-}
-
-/// A line of dashes. The raster's own pattern begins anew at every point, and dense points leave none of it.
-fn dashed(scene: &mut Scene, mut points: impl Iterator<Item = (f64, f64)>, ink: &Color) {
-    const ON: f64 = 5.0;
-    const PERIOD: f64 = 8.0;
-    let Some(mut at) = points.next() else { return };
-    let mut along = 0.0;
-    for to in points {
-        let (dx, dy) = (to.0 - at.0, to.1 - at.1);
-        let length = libm::hypot(dx, dy);
-        if !length.is_finite() {
-            continue;
-        }
-        let mut done = 0.0;
-        while done < length {
-            let phase = (along + done) % PERIOD;
-            let is_on = phase < ON;
-            // Never less than a bit, or rounding stops it.
-            let step = (if is_on { ON } else { PERIOD } - phase).max(0.01).min(length - done);
-            let place = |share: f64| (at.0 + dx * share / length, at.1 + dy * share / length);
-            if is_on {
-                rule(scene, place(done), place(done + step), ink, 1.7, None);
-            }
-            done += step;
-        }
-        (along, at) = (along + length, to);
     }
 }
 

@@ -4,9 +4,13 @@ mod mark;
 
 use kuva::render::render::Scene;
 
+pub use super::loss::Known;
 use super::{
-    DrawError, Picture,
-    panel::{FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE, text, unclip, widened},
+    DrawError, LINE, LONGEST, LONGEST_HEADLINE, Picture, key,
+    label::name_ends,
+    loss,
+    panel::{FIGURE_WIDTH, LEFT, Panel, TEXT_LABEL, TEXT_LARGE, text, unclip, widened},
+    wrapped,
 };
 use crate::analyse::Estimate;
 
@@ -35,6 +39,8 @@ pub struct Axes {
     pub words: Vec<String>,
     /// Height of the box (px of the SVG; less than 60 counts as 60).
     pub height: f64,
+    /// Places that are shown in any case, so that boxes may have the same axes.
+    pub shown: Option<[(f64, f64); 2]>,
     /// What is in it.
     pub marks: Vec<Mark>,
 }
@@ -50,13 +56,13 @@ pub enum Stroke {
     Dashed,
 }
 
-/// Something in a box of axes. What has a name is in the legend, light lines aside.
+/// Something in a box of axes. What has a name has it at its right end.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Mark {
     /// A line through points.
     Line {
-        /// In the legend and among the points.
+        /// At its end and among the points.
         name: String,
         /// Number of the colour.
         colour: usize,
@@ -65,9 +71,20 @@ pub enum Mark {
         /// Its points.
         points: Vec<(f64, f64)>,
     },
+    /// What is known of the loss of the link toward the base of a UAV, over time, as every picture draws it.
+    Loss {
+        /// Among the points.
+        name: String,
+        /// Whose link.
+        uav: usize,
+        /// What of it.
+        known: Known,
+        /// Its points.
+        points: Vec<(f64, f64)>,
+    },
     /// Means on a line, each with its 95 % interval.
     Estimates {
-        /// In the legend.
+        /// At its end.
         name: String,
         /// Number of the colour.
         colour: usize,
@@ -83,9 +100,9 @@ pub enum Mark {
         /// The values.
         values: Vec<f64>,
     },
-    /// A dashed line right across.
+    /// A thin line right across, as at the threshold of a launch.
     Level {
-        /// In the legend.
+        /// At its end.
         name: String,
         /// Where.
         y: f64,
@@ -97,34 +114,78 @@ pub enum Mark {
 /// # Errors
 /// [`DrawError::Raster`].
 pub fn figure(figure: &Figure) -> Result<Picture, DrawError> {
-    let (mut top, mut panels) = (58.0, Vec::new());
+    Picture::of(&scene(figure))
+}
+
+pub(crate) fn scene(figure: &Figure) -> Scene {
+    let marks = || figure.axes.iter().flat_map(|axes| &axes.marks);
+    let is_drawn =
+        |known: &Known| marks().any(|mark| matches!(mark, Mark::Loss { known: of, .. } if of == known));
+    let drawn: Vec<Known> = [Known::Filtered, Known::True, Known::Raw].into_iter().filter(is_drawn).collect();
+    let (titles, entries) = (wrapped(&figure.title, LONGEST_HEADLINE), loss::entries(&drawn));
+    let (left, below_title) = (LEFT - 8.0, 26.0 + LINE * titles.len().saturating_sub(1) as f64);
+    let mut top = below_title + key::height(&entries, left) + 24.0;
+    let mut panels: Vec<Panel> = Vec::new();
     for axes in &figure.axes {
-        let (mut x_range, y_range) = ranges(&axes.marks);
+        let (mut x_range, y_range) = ranges(axes);
         if !axes.words.is_empty() {
             x_range = (0.4, axes.words.len() as f64 + 0.6);
         }
         let panel = Panel::new(top, axes.height.max(60.0), x_range, y_range);
         let panel = match &axes.words {
             words if !words.is_empty() => panel.with_words(words.clone()),
-            _ if axes.counts() => panel.with_whole_x(),
+            _ if axes.counts() => panel.with_x_step(1.0),
             _ => panel,
         };
         top = panel.bottom() + GAP;
         panels.push(panel);
     }
-    let mut scene = Scene::new(FIGURE_WIDTH, top - GAP + 48.0);
+    let notes: Vec<String> = notes(marks()).iter().flat_map(|note| wrapped(note, LONGEST)).collect();
+    let below = top - GAP + if notes.is_empty() { 44.0 } else { 58.0 };
+    let mut scene = Scene::new(FIGURE_WIDTH, below + LINE * notes.len() as f64);
     for (axes, panel) in figure.axes.iter().zip(&panels) {
         text(&mut scene, (panel.left(), panel.top() - 8.0), TEXT_LABEL, &axes.title);
         panel.axes(&mut scene, &axes.x, &axes.y);
         panel.clip(&mut scene);
         axes.marks.iter().for_each(|mark| mark.draw(&mut scene, panel));
         unclip(&mut scene);
-        let named = axes.marks.iter().filter(|mark| mark.is_explained());
-        named.enumerate().for_each(|(row, mark)| mark.explain(&mut scene, panel, row));
+        let endings = axes.marks.iter().filter_map(|mark| mark.ending(panel, &axes.marks)).collect();
+        name_ends(&mut scene, panel, endings);
     }
-    let left = panels.first().map_or(0.0, Panel::left);
-    text(&mut scene, (left, 20.0), TEXT_LARGE, &figure.title);
-    Picture::of(&scene)
+    for (i, title) in titles.iter().enumerate() {
+        text(&mut scene, (LEFT, 20.0 + LINE * i as f64), TEXT_LARGE, title);
+    }
+    key::draw(&mut scene, (left, below_title), &entries);
+    for (i, note) in notes.iter().enumerate() {
+        text(&mut scene, (LEFT, below + LINE * i as f64), TEXT_LABEL, note);
+    }
+    scene
+}
+
+/// What stands below: what bars and boxes mean.
+fn notes<'a>(marks: impl Iterator<Item = &'a Mark> + Clone) -> Vec<String> {
+    let mut notes = Vec::new();
+    let estimates = || {
+        marks.clone().flat_map(|mark| match mark {
+            Mark::Estimates { points, .. } => points.as_slice(),
+            _ => &[],
+        })
+    };
+    if estimates().any(|(_, estimate)| estimate.half_width.is_some()) {
+        let is_cut = |estimate: &Estimate| {
+            estimate.is_never_negative && estimate.half_width.is_some_and(|half| half > estimate.mean)
+        };
+        let cut = if estimates().any(|(_, estimate)| is_cut(estimate)) {
+            ", cut at 0, below which no mean is"
+        } else {
+            ""
+        };
+        notes.push(format!("Dots are means, bars their 95 % intervals by Student's t{cut}."));
+    }
+    if marks.clone().any(|mark| matches!(mark, Mark::Distribution { .. })) {
+        notes.push("Boxes are medians, quartiles and extremes; every dot is a run.".to_owned());
+    }
+    notes
 }
 
 impl Axes {
@@ -157,8 +218,9 @@ impl Figure {
 }
 
 /// Room for all marks, and a little more.
-fn ranges(marks: &[Mark]) -> ((f64, f64), (f64, f64)) {
-    let points = || marks.iter().flat_map(Mark::points);
+fn ranges(axes: &Axes) -> ((f64, f64), (f64, f64)) {
+    let shown = || axes.shown.iter().flatten().map(|(x, y)| (Some(*x), *y));
+    let points = || axes.marks.iter().flat_map(Mark::points).chain(shown());
     let x = widened(points().filter_map(|(x, _)| x), 0.02);
     (x, widened(points().map(|(_, y)| y), 0.07))
 }

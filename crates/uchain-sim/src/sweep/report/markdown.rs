@@ -44,7 +44,7 @@ pub fn markdown(
         let _ = writeln!(text, "- varied by a table: {}", keys.join(", "));
     }
     let _ = writeln!(text, "- {:.1} s simulated, digest `{}`", totals.sim_s, totals.digest);
-    text.push_str("\nIntervals hold the mean of a cell with 95 % confidence (Student's t).\n");
+    text.push_str("\nIntervals hold the mean of a cell with 95 % confidence (Student's t); those of counts are cut at 0.\n");
     let constants: Vec<String> = metrics
         .iter()
         .filter_map(|metric| Some(format!("{} = {}", metric.name, number(metric.constant?))))

@@ -6,6 +6,8 @@ mod pictures;
 mod rows;
 #[cfg(feature = "draw")]
 mod save;
+#[cfg(feature = "draw")]
+mod words;
 
 use super::{
     Sweep,
@@ -21,6 +23,8 @@ pub use pictures::picture;
 pub use rows::{Groups, Rows};
 #[cfg(feature = "draw")]
 pub use save::{CSV, MARKDOWN, PLOTS, save};
+#[cfg(feature = "draw")]
+pub use words::key_in_words;
 
 /// Why there is no report.
 #[derive(Debug, thiserror::Error)]
@@ -123,7 +127,10 @@ pub fn metric<E: From<FolderError>>(
             is_constant &= *first.get_or_insert(*number) == *number;
         }
         is_constant &= sample.len() == cells.len();
-        let estimate = Estimate::of(&sample);
+        let estimate = match column.kind {
+            Kind::Count => Estimate::of_never_negative(&sample),
+            _ => Estimate::of(&sample),
+        };
         if let Some(estimate) = &estimate {
             told(variant, estimate)?;
         }

@@ -3,7 +3,7 @@
 
 use uchain_core::bounded;
 
-use super::{Metric, ReportError, Rows, values};
+use super::{Metric, ReportError, Rows, values, words};
 use crate::{
     analyse::Estimate,
     draw::{
@@ -31,7 +31,7 @@ pub fn picture(rows: &dyn Rows, sweep: &Sweep, metric: &Metric) -> Result<Option
 }
 
 /// A picture of one number; `None` if there is nothing in it to see.
-fn chart<'a>(sweep: &'a Sweep, metric: &'a Metric) -> Option<Chart<'a>> {
+fn chart(sweep: &Sweep, metric: &Metric) -> Option<Chart> {
     let keys: Vec<&str> = sweep.design().keys().collect();
     let place = axis(sweep, metric.cells.len());
     let mut lines: Vec<Line> = Vec::new();
@@ -47,7 +47,16 @@ fn chart<'a>(sweep: &'a Sweep, metric: &'a Metric) -> Option<Chart<'a>> {
         let name = match place {
             Some(place) => {
                 let others = values.iter().enumerate().filter(|(key, _)| *key != place);
-                others.filter_map(|(_, value)| value.as_deref()).collect::<Vec<_>>().join(", ")
+                let others: Vec<String> = others
+                    .filter_map(|(_, value)| Some(value.as_deref()?.trim_matches('"').to_owned()))
+                    .collect();
+                // One value alone does not say what it is of.
+                match (&others[..], keys.iter().enumerate().find(|(key, _)| *key != place)) {
+                    ([value], Some((_, key))) => {
+                        format!("{} {value}", key.rsplit('.').next().unwrap_or_default())
+                    }
+                    _ => others.join(", "),
+                }
             }
             None => String::new(),
         };
@@ -66,14 +75,15 @@ fn chart<'a>(sweep: &'a Sweep, metric: &'a Metric) -> Option<Chart<'a>> {
     let cut = if is_cut { format!(", the first {LINES_MAX} combinations") } else { String::new() };
     let others: Vec<&str> =
         keys.iter().enumerate().filter(|(key, _)| Some(*key) != place).map(|(_, key)| *key).collect();
-    let colours = if lines.len() > 1 { format!("; colour: {}", others.join(", ")) } else { String::new() };
-    let title = format!("{about}: {}, mean and its 95 % interval{cut}{colours}", metric.name);
-    let key = place.and_then(|place| keys.get(place)).copied().unwrap_or("variant");
-    (!lines.is_empty()).then_some(Chart { title, metric: &metric.name, key, lines })
+    let colours = if lines.len() > 1 { format!("; lines: {}", others.join(", ")) } else { String::new() };
+    let title = format!("{about}: {}{cut}{colours}", metric.name);
+    let key = place.and_then(|place| keys.get(place));
+    let key = key.map_or_else(|| "variant".to_owned(), |key| words::key_in_words(sweep.registry(), key));
+    (!lines.is_empty()).then(|| Chart { title, metric: words::of_metric(&metric.name), key, lines })
 }
 
 /// How the runs of a single variant are distributed.
-fn distribution<'a>(sweep: &Sweep, name: &'a str, mut values: Vec<f64>) -> Chart<'a> {
+fn distribution(sweep: &Sweep, name: &str, mut values: Vec<f64>) -> Chart {
     const STEPS: usize = 100;
     values.sort_by(f64::total_cmp);
     let last = values.len().saturating_sub(1);
@@ -81,15 +91,16 @@ fn distribution<'a>(sweep: &Sweep, name: &'a str, mut values: Vec<f64>) -> Chart
     let point = |step: usize| {
         let place = step * last / steps;
         let share = (place + 1) as f64 / values.len() as f64;
-        let estimate = Estimate { count: 1, mean: share, half_width: None, median: share };
+        let estimate =
+            Estimate { count: 1, mean: share, half_width: None, is_never_negative: true, median: share };
         values.get(place).map(|value| (*value, estimate))
     };
     let points: Vec<(f64, Estimate)> = (0..=steps).filter_map(point).collect();
     let title = format!("{}: {name} of {} runs", sweep.about().name, values.len());
     Chart {
         title,
-        metric: "share of runs up to there",
-        key: name,
+        metric: "share of runs up to there (0 to 1)".to_owned(),
+        key: words::of_metric(name),
         lines: vec![Line { name: String::new(), points }],
     }
 }

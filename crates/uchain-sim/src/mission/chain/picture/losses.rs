@@ -1,29 +1,58 @@
-//! Link losses over time, as in Laclau 2021, Fig. 4D.
+//! Link losses over time, as in Laclau 2021, Fig. 4D: one box, or small ones with the same axes for a long chain.
 
 use kuva::render::render::Scene;
 use uchain_core::bounded;
 
 use crate::draw::{
-    colour::{self, GREY, INK},
-    panel::{Panel, ROW, caption, legend, rule, unclip},
+    colour::{self, GREY, LINES_MAX},
+    key::{self, Entry},
+    label::{Ending, name_ends},
+    loss::{self, Known},
+    panel::{FIGURE_WIDTH, LEFT, Panel, TEXT_SMALL, caption, name_axes, round_step, rule, text, unclip},
 };
-use crate::mission::chain::{Course, Frame, History, Summary};
+use crate::mission::chain::{Course, Frame, History, LinkFrame, Summary};
 
 /// Most points of one line; the picture is narrower than that.
 const POINTS_MAX: usize = 2000;
-/// Most UAVs named in the legend.
-const NAMED_MAX: usize = 10;
+/// Most small boxes; of a chain that is longer than all of them hold, evenly many UAVs are shown.
+const BOXES_MAX: usize = 24;
+const COLUMNS: usize = 3;
+/// Height of the one box, of a small one, and what lies between two of those.
+const HEIGHT: f64 = 260.0;
+const SMALL_HEIGHT: f64 = 84.0;
+const GAP: f64 = 34.0;
+/// Room right of each small box for names, then numbers of the next one.
+const NAMES: f64 = 54.0;
+const NUMBERS: f64 = 26.0;
+/// Pattern of a launch.
+const LAUNCH: Option<&str> = Some("1.5 3");
 
-/// What the upper panel shows.
+/// What the upper part shows.
 pub(crate) struct Losses<'a> {
     frames: Vec<&'a Frame>,
-    uavs: usize,
+    /// UAVs by box.
+    boxes: Vec<Vec<usize>>,
+    /// Every so many UAVs are shown.
+    step: usize,
     /// `None` where every signal launches.
     s_min_db: Option<f64>,
     end_s: f64,
     launches_s: &'a [f64],
     y_range: (f64, f64),
 }
+
+/// What is drawn of a link.
+fn loss_db(link: &LinkFrame, known: Known) -> Option<f32> {
+    match known {
+        Known::Raw => link.raw_db,
+        Known::Filtered => link.filtered_db,
+        Known::True => Some(link.true_db),
+    }
+    .filter(|loss_db| loss_db.is_finite())
+}
+
+/// From behind.
+const DRAWN: [Known; 3] = [Known::Raw, Known::Filtered, Known::True];
 
 impl<'a> Losses<'a> {
     pub(crate) fn new(course: &Course, history: &'a History, summary: &'a Summary) -> Self {
@@ -32,9 +61,7 @@ impl<'a> Losses<'a> {
         let (mut low_db, mut high_db) =
             s_min_db.map_or((f64::INFINITY, f64::NEG_INFINITY), |s_min_db| (s_min_db - 8.0, s_min_db + 4.0));
         for link in frames.iter().flat_map(|frame| &frame.links) {
-            for loss_db in
-                [Some(link.true_db), link.filtered_db].into_iter().flatten().filter(|l| l.is_finite())
-            {
+            for loss_db in DRAWN.iter().filter_map(|known| loss_db(link, *known)) {
                 low_db = low_db.min(f64::from(loss_db));
                 high_db = high_db.max(f64::from(loss_db));
             }
@@ -42,9 +69,18 @@ impl<'a> Losses<'a> {
         if low_db > high_db {
             (low_db, high_db) = (0.0, 100.0);
         }
+        let uavs = summary.launches_s.len().max(1);
+        let step = uavs.div_ceil(BOXES_MAX * LINES_MAX);
+        let shown: Vec<usize> = (0..uavs).step_by(step).collect();
+        let per_box = if shown.len() <= LINES_MAX {
+            LINES_MAX
+        } else {
+            bounded(shown.len().div_ceil(BOXES_MAX), 1, LINES_MAX)
+        };
         Self {
             frames,
-            uavs: summary.launches_s.len().max(1),
+            boxes: shown.chunks(per_box).map(<[usize]>::to_vec).collect(),
+            step,
             s_min_db,
             end_s: summary.sim_s.max(1.0),
             launches_s: &summary.launches_s,
@@ -52,98 +88,128 @@ impl<'a> Losses<'a> {
         }
     }
 
-    pub(crate) fn x_range(&self) -> (f64, f64) {
-        (0.0, self.end_s)
+    fn is_one(&self) -> bool {
+        self.boxes.len() == 1
     }
 
-    pub(crate) fn y_range(&self) -> (f64, f64) {
-        self.y_range
+    /// Room above the boxes, for the key and the numbers of launches.
+    pub(crate) fn above(&self) -> f64 {
+        key::height(&self.entries(), LEFT) + if self.is_one() { 18.0 } else { 8.0 }
     }
 
-    /// High enough for the legend.
-    pub(crate) fn height(&self) -> f64 {
-        250.0_f64.max(ROW * (self.named().count() + 5) as f64 + 8.0)
-    }
-
-    /// UAVs named in the legend: all of a short chain, some of a long one.
-    fn named(&self) -> impl Iterator<Item = usize> + use<> {
-        let last = self.uavs - 1;
-        let steps = bounded(last, 1, NAMED_MAX - 1);
-        (0..=steps.min(last)).map(move |i| i * last / steps)
-    }
-
-    pub(crate) fn draw(&self, scene: &mut Scene, panel: &Panel) {
-        panel.axes(scene, "time (s)", "loss of the link toward the base (dB)");
-        panel.clip(scene);
-        self.launches(scene, panel);
-        for i in 0..self.uavs {
-            let stroke = colour::of_estimate(i, self.uavs);
-            panel.line(scene, self.link(i, |link| link.filtered_db), &stroke, 0.8);
+    /// The boxes, the first one's top so far below the page's upper edge.
+    pub(crate) fn panels(&self, top: f64) -> Vec<Panel> {
+        if self.is_one() {
+            return vec![Panel::new(top, HEIGHT, (0.0, self.end_s), self.y_range)];
         }
-        for i in (0..self.uavs).rev() {
-            let stroke = colour::of_uav(i, self.uavs);
-            panel.line(scene, self.link(i, |link| Some(link.true_db)), &stroke, 1.6);
+        let cell = (FIGURE_WIDTH - LEFT + NUMBERS) / COLUMNS as f64;
+        let (x_step, y_step) = (round_step(self.end_s, 4), round_step(self.y_range.1 - self.y_range.0, 4));
+        let panel = |place: usize| {
+            let left = LEFT + cell * (place % COLUMNS) as f64;
+            let top = top + (SMALL_HEIGHT + GAP) * (place / COLUMNS) as f64;
+            let sides = (left, left + cell - NAMES - NUMBERS);
+            let panel = Panel::within(sides, top, SMALL_HEIGHT, (0.0, self.end_s), self.y_range);
+            panel.with_x_step(x_step).with_y_step(y_step)
+        };
+        (0..self.boxes.len()).map(panel).collect()
+    }
+
+    /// Draws boxes and key; the key is right above the first box.
+    pub(crate) fn draw(&self, scene: &mut Scene, panels: &[Panel]) {
+        let (Some(first), Some(last)) = (panels.first(), panels.last()) else { return };
+        key::draw(scene, (first.left() - 8.0, first.top() - self.above()), &self.entries());
+        for (uavs, panel) in self.boxes.iter().zip(panels) {
+            panel.grid(scene);
+            panel.clip(scene);
+            for &uav in uavs {
+                self.launch(scene, panel, uav);
+            }
+            if let Some(s_min_db) = self.s_min_db {
+                loss::threshold(scene, panel, s_min_db);
+            }
+            for known in DRAWN {
+                for &uav in uavs.iter().rev() {
+                    loss::series(scene, panel, known, uav, self.link(uav, known));
+                }
+            }
+            unclip(scene);
+            name_ends(scene, panel, self.endings(uavs, panel));
         }
-        if let Some(s_min_db) = self.s_min_db {
-            let (left, y) = panel.at(0.0, s_min_db);
-            rule(scene, (left, y), (panel.right(), y), &INK, 1.2, Some("6 4"));
+        // The last row may be short, but the axes are those of all.
+        let right = panels.get(COLUMNS - 1).unwrap_or(last);
+        let corner = Panel::within(
+            (first.left(), right.right()),
+            last.top(),
+            last.bottom() - last.top(),
+            (0.0, 1.0),
+            (0.0, 1.0),
+        );
+        name_axes(scene, first, &corner, "time (s)", "loss of the link toward the base (dB)");
+        if self.is_one() {
+            self.launch_numbers(scene, first);
         }
-        unclip(scene);
-        self.legend(scene, panel);
+        if self.step > 1 {
+            let words = format!("Of {} UAVs every {}th is shown.", self.launches_s.len(), self.step);
+            text(scene, (first.left(), corner.bottom() + 33.0), TEXT_SMALL, &words);
+        }
     }
 
     /// Loss over time of the link behind one UAV; `None` where it is not there.
-    fn link(
-        &self,
-        uav: usize,
-        loss_db: impl Fn(&crate::mission::chain::LinkFrame) -> Option<f32>,
-    ) -> impl Iterator<Item = Option<(f64, f64)>> {
+    fn link(&self, uav: usize, known: Known) -> impl Iterator<Item = Option<(f64, f64)>> {
         self.frames.iter().map(move |frame| {
-            let loss_db = loss_db(frame.links.iter().find(|link| link.uav == uav)?)?;
-            loss_db.is_finite().then(|| (frame.time_s(), f64::from(loss_db)))
+            let loss_db = loss_db(frame.links.iter().find(|link| link.uav == uav)?, known)?;
+            Some((frame.time_s(), f64::from(loss_db)))
         })
     }
 
-    /// A vertical mark per launch, with the UAV's number above the box where there is room.
-    fn launches(&self, scene: &mut Scene, panel: &Panel) {
-        for (i, &launch_s) in self.launches_s.iter().enumerate() {
+    /// Names at the ends of lines, and that of the threshold where there is room for it.
+    fn endings(&self, uavs: &[usize], panel: &Panel) -> Vec<Ending> {
+        let of = |&uav: &usize| {
+            let last = |known| self.link(uav, known).flatten().last();
+            let (x, y) = last(Known::Filtered)
+                .into_iter()
+                .chain(last(Known::True))
+                .max_by(|a, b| a.0.total_cmp(&b.0))?;
+            let words =
+                if uav == 0 && self.is_one() { "UAV 0, head".to_owned() } else { format!("UAV {uav}") };
+            Some(Ending { at: panel.at(x, y), words, colour: colour::of_uav(uav) })
+        };
+        let threshold = self.s_min_db.filter(|_| self.is_one());
+        let threshold = threshold.map(|s_min_db| loss::threshold_ending(panel, s_min_db));
+        uavs.iter().filter_map(of).chain(threshold).collect()
+    }
+
+    /// A vertical mark at the launch.
+    fn launch(&self, scene: &mut Scene, panel: &Panel, uav: usize) {
+        if let Some(&launch_s) = self.launches_s.get(uav) {
             let (x, _) = panel.at(launch_s, 0.0);
-            let stroke = colour::of_uav(i, self.uavs);
-            rule(scene, (x, panel.top()), (x, panel.bottom()), &stroke, 1.0, Some("1.5 3"));
+            rule(scene, (x, panel.top()), (x, panel.bottom()), &colour::of_uav(uav), 1.0, LAUNCH);
         }
     }
 
+    /// The UAVs' numbers above their launches, where there is room.
     fn launch_numbers(&self, scene: &mut Scene, panel: &Panel) {
         let mut free_from = f64::NEG_INFINITY;
         for (i, &launch_s) in self.launches_s.iter().enumerate() {
             let (x, _) = panel.at(launch_s, 0.0);
             if x >= free_from {
-                caption(scene, (x, panel.top() - 4.0), &i.to_string(), &colour::of_uav(i, self.uavs));
+                caption(scene, (x, panel.top() - 4.0), &i.to_string(), &colour::INK);
                 free_from = x + 16.0;
             }
         }
     }
 
-    fn legend(&self, scene: &mut Scene, panel: &Panel) {
-        self.launch_numbers(scene, panel);
-        let mut row = 0;
-        for i in self.named() {
-            let name = if i == 0 { "UAV 0, head".to_owned() } else { format!("UAV {i}") };
-            let (x, y) = legend(scene, panel, row, &name);
-            rule(scene, (x - 8.0, y), (x + 8.0, y), &colour::of_uav(i, self.uavs), 2.0, None);
-            row += 1;
-        }
-        let mut mark = |content: &str, width: f64, stroke, dash| {
-            row += 1;
-            let (x, y) = legend(scene, panel, row, content);
-            rule(scene, (x - 8.0, y), (x + 8.0, y), stroke, width, dash);
+    fn entries(&self) -> Vec<Entry> {
+        let is_known = |known: &Known| {
+            self.frames.iter().flat_map(|frame| &frame.links).any(|link| loss_db(link, *known).is_some())
         };
-        mark("true", 1.8, &GREY, None);
-        mark("filtered", 0.8, &GREY, None);
-        if let Some(s_min_db) = self.s_min_db {
-            mark(&format!("s_min {s_min_db} dB"), 1.2, &INK, Some("6 4"));
-        }
-        mark("launch", 1.0, &GREY, Some("1.5 3"));
+        let drawn: Vec<Known> = DRAWN.into_iter().filter(is_known).collect();
+        let mut entries = loss::entries(&drawn);
+        entries.extend(self.s_min_db.filter(|_| !self.is_one()).map(loss::threshold_entry));
+        entries.push(Entry::new("launch", |scene, (x, y)| {
+            rule(scene, (x, y - 6.0), (x, y + 6.0), &GREY, 1.0, LAUNCH);
+        }));
+        entries
     }
 }
 

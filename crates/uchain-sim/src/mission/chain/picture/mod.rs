@@ -8,16 +8,16 @@ use kuva::render::render::Scene;
 
 use super::{Course, History, Plan, Summary};
 use crate::draw::{
-    DrawError, FIGURE_WIDTH, LINE, LONGEST, LONGEST_HEADLINE, Panel, Picture, TEXT_LABEL, TEXT_LARGE, panel,
-    raster, wrapped,
+    DrawError, FIGURE_WIDTH, LEFT, LINE, LONGEST, LONGEST_HEADLINE, Panel, Picture, TEXT_LABEL, TEXT_LARGE,
+    panel, raster, wrapped,
 };
 use losses::Losses;
 use tunnel::Tunnel;
 
-/// One run on one page, as a PNG 1400 px wide. Above: the loss of every link over time (solid = true,
-/// thin = as the filter sees it), the threshold `s_min`, the launches (after Laclau 2021, Fig. 4D).
-/// Below: the map at equal aspect, cropped to where the UAVs flew, with their tracks; its axes are in
-/// the map file's own frame.
+/// One run on one page, as a PNG 1400 px wide. Above: the loss of every link over time (solid = as the filter sees it,
+/// dashed = true, dots = as measured), the threshold `s_min`, the launches (after Laclau 2021, Fig. 4D); with more than six
+/// UAVs in small boxes. Below: the whole tunnel at equal aspect with tracks, links coloured by loss against `s_min`, and every
+/// UAV's number; where they flew once more, if that is a small part of it. Its axes are in the map file's own frame.
 ///
 /// # Errors
 /// [`DrawError::Raster`].
@@ -37,17 +37,17 @@ fn run_scene(course: &Course, history: &History, summary: &Summary) -> Scene {
     let losses = Losses::new(course, history, summary);
     // The seed of a sweep's run is a long number.
     let lines = wrapped(&headline(summary), LONGEST_HEADLINE);
-    let top = 42.0 + LINE * lines.len().saturating_sub(1) as f64;
-    let losses_panel = Panel::new(top, losses.height(), losses.x_range(), losses.y_range());
+    let top = 26.0 + LINE * lines.len().saturating_sub(1) as f64 + losses.above();
+    let boxes = losses.panels(top);
     let tunnel = Tunnel::new(course, history, summary);
-    let tunnel_panel = tunnel.panel(losses_panel.bottom() + 58.0);
+    let maps = tunnel.panels(boxes.last().map_or(top, Panel::bottom) + 66.0);
 
-    let mut scene = Scene::new(FIGURE_WIDTH, tunnel_panel.bottom() + 44.0);
+    let mut scene = Scene::new(FIGURE_WIDTH, maps.last().map_or(top, Panel::bottom) + 44.0);
     for (i, line) in lines.iter().enumerate() {
-        panel::text(&mut scene, (losses_panel.left(), 20.0 + LINE * i as f64), TEXT_LARGE, line);
+        panel::text(&mut scene, (LEFT, 20.0 + LINE * i as f64), TEXT_LARGE, line);
     }
-    losses.draw(&mut scene, &losses_panel);
-    tunnel.draw(&mut scene, &tunnel_panel);
+    losses.draw(&mut scene, &boxes);
+    tunnel.draw(&mut scene, &maps);
     scene
 }
 

@@ -3,8 +3,10 @@
 use kuva::render::{color::Color, render::Scene};
 
 use crate::draw::{
-    colour::{self, GREY, INK},
-    panel::{Panel, legend, rule, unclip},
+    colour::{self, GREY},
+    label::{Ending, name_ends},
+    loss,
+    panel::{Panel, rule, unclip},
 };
 use crate::mission::chain::{Plan, PlanRow};
 
@@ -67,41 +69,44 @@ impl<'a> Sheet<'a> {
     }
 
     pub(crate) fn draw(&self, scene: &mut Scene) {
-        let (deep, light) = (colour::of_uav(1, 2), colour::of_estimate(1, 2));
-        let head = colour::of_uav(0, 2);
+        let (head, relay, s_min_db) = (colour::of_uav(0), colour::of_uav(1), self.plan.s_min_db);
+        let x_label = "depth of the head (m)";
 
-        self.relays.axes(scene, "depth of the head (m)", "relays needed");
+        self.relays.axes(scene, x_label, "relays needed");
         self.relays.clip(scene);
-        self.relays.line(scene, self.steps(), &deep, 1.8);
+        self.relays.line(scene, self.steps(), &relay, SOLID);
         let at_hand = self.plan.relays_available.map(|relays| relays as f64);
+        let at_hand = at_hand.filter(|at_hand| self.relays.shows(*at_hand));
         if let Some(at_hand) = at_hand {
-            level(scene, &self.relays, at_hand, &GREY);
+            level(scene, &self.relays, at_hand);
         }
         unclip(scene);
-        mark(scene, &self.relays, 0, "needed", &deep, 1.8, None);
-        if at_hand.is_some_and(|at_hand| self.relays.shows(at_hand)) {
-            mark(scene, &self.relays, 1, "at hand", &GREY, 1.2, DASHED);
-        }
+        let needed = ending(&self.relays, self.steps(), "needed", &relay);
+        let at_hand = at_hand.map(|at_hand| level_ending(&self.relays, at_hand, "at hand"));
+        name_ends(scene, &self.relays, needed.into_iter().chain(at_hand).collect());
 
-        self.losses.axes(scene, "depth of the head (m)", "worst link at best (dB)");
+        self.losses.axes(scene, x_label, "loss of the worst link (dB)");
         self.losses.clip(scene);
-        self.losses.line(scene, self.along(one_fewer_db), &light, 1.2);
-        self.losses.line(scene, self.along(|row| row.bottleneck_db), &deep, 1.8);
-        level(scene, &self.losses, self.plan.s_min_db, &INK);
+        loss::threshold(scene, &self.losses, s_min_db);
+        loss::dashed_line(scene, &self.losses, self.along(one_fewer_db), &relay, DASHED);
+        self.losses.line(scene, self.along(|row| row.bottleneck_db), &relay, SOLID);
         unclip(scene);
-        mark(scene, &self.losses, 0, "as needed", &deep, 1.8, None);
-        mark(scene, &self.losses, 1, "one fewer", &light, 1.2, None);
-        mark(scene, &self.losses, 2, &format!("s_min {} dB", self.plan.s_min_db), &INK, 1.2, DASHED);
+        let as_needed = ending(&self.losses, self.along(|row| row.bottleneck_db), "as needed", &relay);
+        let one_fewer = ending(&self.losses, self.along(one_fewer_db), "one relay fewer", &relay);
+        let threshold = loss::threshold_ending(&self.losses, s_min_db);
+        name_ends(scene, &self.losses, as_needed.into_iter().chain(one_fewer).chain([threshold]).collect());
 
-        self.times.axes(scene, "depth of the head (m)", "time (min)");
+        self.times.axes(scene, x_label, "time (min)");
         self.times.clip(scene);
-        self.times.line(scene, self.along(head_min), &head, 1.8);
-        self.times.line(scene, self.along(relay_min), &deep, 1.8);
-        level(scene, &self.times, self.plan.endurance_s / 60.0, &INK);
+        self.times.line(scene, self.along(head_min), &head, SOLID);
+        self.times.line(scene, self.along(relay_min), &relay, SOLID);
+        let endurance_min = self.plan.endurance_s / 60.0;
+        level(scene, &self.times, endurance_min);
         unclip(scene);
-        mark(scene, &self.times, 0, "head there", &head, 1.8, None);
-        mark(scene, &self.times, 1, "relay 1 flies", &deep, 1.8, None);
-        mark(scene, &self.times, 2, "endurance", &INK, 1.2, DASHED);
+        let arrives = ending(&self.times, self.along(head_min), "head is there", &head);
+        let flies = ending(&self.times, self.along(relay_min), "relay 1 has flown", &relay);
+        let empty = level_ending(&self.times, endurance_min, "battery lasts");
+        name_ends(scene, &self.times, arrives.into_iter().chain(flies).chain([empty]).collect());
     }
 
     fn along(&self, value: Value) -> impl Iterator<Item = Option<(f64, f64)>> {
@@ -118,25 +123,30 @@ impl<'a> Sheet<'a> {
     }
 }
 
-const DASHED: Option<&str> = Some("6 4");
+/// Thickness of a solid and of a dashed line.
+const SOLID: f64 = 2.0;
+const DASHED: f64 = 1.4;
 
-/// A dashed line across a panel.
-fn level(scene: &mut Scene, panel: &Panel, value: f64, stroke: &Color) {
+/// A thin line across a panel.
+fn level(scene: &mut Scene, panel: &Panel, value: f64) {
     let (_, y) = panel.at(0.0, value);
-    rule(scene, (panel.left(), y), (panel.right(), y), stroke, 1.2, DASHED);
+    rule(scene, (panel.left(), y), (panel.right(), y), &GREY, 1.2, Some("6 4"));
 }
 
-fn mark(
-    scene: &mut Scene,
+fn level_ending(panel: &Panel, value: f64, words: &str) -> Ending {
+    let (_, y) = panel.at(0.0, value);
+    Ending { at: (panel.right(), y), words: words.to_owned(), colour: GREY }
+}
+
+/// The name of a line at its last point; none of an empty one.
+fn ending(
     panel: &Panel,
-    row: usize,
-    content: &str,
-    stroke: &Color,
-    width: f64,
-    dash: Option<&str>,
-) {
-    let (x, y) = legend(scene, panel, row, content);
-    rule(scene, (x - 8.0, y), (x + 8.0, y), stroke, width, dash);
+    values: impl Iterator<Item = Option<(f64, f64)>>,
+    words: &str,
+    colour: &Color,
+) -> Option<Ending> {
+    let (x, y) = values.flatten().last()?;
+    Some(Ending { at: panel.at(x, y), words: words.to_owned(), colour: colour.clone() })
 }
 
 /// Around `s_min`; a chain with one relay too few may be far worse, and is cut off.

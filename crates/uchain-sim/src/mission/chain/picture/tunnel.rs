@@ -1,84 +1,145 @@
-//! The map with the UAVs' tracks, at equal aspect.
+//! The whole tunnel with the UAVs' tracks and links, at equal aspect; where they flew once more, if that is a small part.
 
 use glam::DVec2;
-use kuva::render::render::{Primitive, Scene};
+use kuva::render::{
+    color::Color,
+    render::{Primitive, Scene},
+};
 use uchain_core::bounded;
 
 use super::losses::thinned;
 use crate::draw::{
-    colour::{self, FREE, INK},
+    TEXT_LABEL,
+    colour::{self, FREE, GREY, INK},
+    dots::{self, Somebody},
     ground,
-    panel::{BOX_WIDTH, Panel, dot, legend, rule, unclip},
+    panel::{BOX_WIDTH, Panel, dot, legend, rule, text, unclip},
 };
 use crate::mission::chain::{Course, Frame, History, Summary, UavFrame};
 
 /// Lowest and highest box.
-const HEIGHTS: (f64, f64) = (120.0, 360.0);
-/// Least room around the tracks (m), and as a share of their size.
+const HEIGHTS: (f64, f64) = (120.0, 400.0);
+/// Least room around the tracks (m), and room around tracks or map as a share of their size.
 const MARGIN_M: f64 = 0.8;
 const MARGIN_SHARE: f64 = 0.04;
+/// Where they flew is shown once more if that makes it so much larger.
+const WORTH_IT: f64 = 1.6;
+/// From one box to the next.
+const GAP: f64 = 66.0;
+/// Thickness of a link; tracks are seen on it.
+const LINK: f64 = 5.0;
+/// Pattern of a link on which nothing is heard.
+const LOST: Option<&str> = Some("3 10");
 
-/// What the lower panel shows. Coordinates are in the map file's own frame (m).
-pub(crate) struct Tunnel<'a> {
-    course: &'a Course,
-    frames: Vec<&'a Frame>,
-    last: Option<&'a Frame>,
-    flown: usize,
+/// A rectangle of the map file's own frame (m).
+#[derive(Clone, Copy)]
+struct Region {
     low_m: DVec2,
     high_m: DVec2,
 }
 
-impl<'a> Tunnel<'a> {
-    pub(crate) fn new(course: &'a Course, history: &'a History, summary: &Summary) -> Self {
-        let frames = thinned(&history.frames);
-        let mut tunnel = Self {
-            course,
-            frames,
-            last: history.frames.last(),
-            flown: summary.launches_s.len().max(1),
-            low_m: DVec2::INFINITY,
-            high_m: DVec2::NEG_INFINITY,
-        };
-        tunnel.frame_region();
-        tunnel
+impl Region {
+    fn around(places: impl Iterator<Item = DVec2>, least_m: f64) -> Self {
+        let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        let (low_m, high_m) = places.fold(empty, |(low, high), at| (low.min(at), high.max(at)));
+        let margin_m = (MARGIN_SHARE * (high_m - low_m).max_element()).max(least_m);
+        Self { low_m: low_m - margin_m, high_m: high_m + margin_m }
     }
 
-    /// Crops to the base and to wherever somebody was, plus a margin.
-    fn frame_region(&mut self) {
-        let spawns = self.course.spawns.iter().map(|spawn| spawn.at);
-        let fixed = spawns.chain([self.course.base]).map(|at| self.shown(at.as_dvec2()));
-        let flown = self.frames.iter().flat_map(|frame| &frame.uavs).filter_map(|uav| self.place(uav));
-        let (mut low, mut high) = (self.low_m, self.high_m);
-        for at in fixed.chain(flown) {
-            (low, high) = (low.min(at), high.max(at));
-        }
-        let margin_m = (MARGIN_SHARE * (high - low).max_element()).max(MARGIN_M);
-        (self.low_m, self.high_m) = (low - margin_m, high + margin_m);
-    }
-
-    /// The panel whose box has the region's own shape, so that a metre is as long across as up.
-    pub(crate) fn panel(&self, top: f64) -> Panel {
+    /// Height of its box, and how much of the tunnel a unit of the page is (m).
+    fn scale(&self) -> (f64, f64) {
         let size_m = self.high_m - self.low_m;
         let height = bounded(BOX_WIDTH * size_m.y / size_m.x, HEIGHTS.0, HEIGHTS.1);
-        let m_per_unit = (size_m.x / BOX_WIDTH).max(size_m.y / height);
+        (height, (size_m.x / BOX_WIDTH).max(size_m.y / height))
+    }
+
+    /// A box of its own shape, so that a metre is as long across as up.
+    fn panel(&self, top: f64) -> Panel {
+        let (height, m_per_unit) = self.scale();
         let middle = (self.low_m + self.high_m) / 2.0;
         let half = DVec2::new(BOX_WIDTH, height) * m_per_unit / 2.0;
         let (low, high) = (middle - half, middle + half);
         Panel::new(top, height, (low.x, high.x), (low.y, high.y)).without_grid()
     }
+}
 
-    pub(crate) fn draw(&self, scene: &mut Scene, panel: &Panel) {
-        panel.clip(scene);
-        ground::paint(scene, panel, &self.course.map);
-        for i in (0..self.flown).rev() {
-            panel.line(scene, self.track(i), &colour::of_uav(i, self.flown), 1.4);
+/// What the lower part shows. Coordinates are in the map file's own frame (m).
+pub(crate) struct Tunnel<'a> {
+    course: &'a Course,
+    frames: Vec<&'a Frame>,
+    last: Option<&'a Frame>,
+    flown: usize,
+}
+
+impl<'a> Tunnel<'a> {
+    pub(crate) fn new(course: &'a Course, history: &'a History, summary: &Summary) -> Self {
+        Self {
+            course,
+            frames: thinned(&history.frames),
+            last: history.frames.last(),
+            flown: summary.launches_s.len().max(1),
         }
-        let (x, y) = self.on_page(panel, self.course.base.as_dvec2());
-        square(scene, (x, y));
-        self.uavs(scene, panel);
-        unclip(scene);
-        panel.axes(scene, "x (m)", "y (m)");
-        self.legend(scene, panel);
+    }
+
+    /// The whole tunnel, and where somebody was, if that is a small part of it.
+    pub(crate) fn panels(&self, top: f64) -> Vec<Panel> {
+        let spawns = self.course.spawns.iter().map(|spawn| spawn.at);
+        let fixed = || spawns.clone().chain([self.course.base]).map(|at| self.shown(at.as_dvec2()));
+        let flown = || self.frames.iter().flat_map(|frame| &frame.uavs).filter_map(|uav| self.place(uav));
+        let (low, high) = self.course.map.bounds();
+        let corners = [low, high].into_iter().map(|at| self.shown(at.as_dvec2()));
+        // Who is blown through a wall is still to be seen.
+        let whole = Region::around(corners.chain(fixed()).chain(flown()), 0.0);
+        let near = Region::around(fixed().chain(flown()), MARGIN_M);
+        let mut panels = vec![whole.panel(top)];
+        if whole.scale().1 > WORTH_IT * near.scale().1 {
+            panels.push(near.panel(panels[0].bottom() + GAP));
+        }
+        panels
+    }
+
+    pub(crate) fn draw(&self, scene: &mut Scene, panels: &[Panel]) {
+        for (panel, title) in panels.iter().zip(["the whole tunnel", "where they flew"]) {
+            panel.clip(scene);
+            ground::paint(scene, panel, &self.course.map);
+            panels.iter().skip(1).for_each(|near| outline(scene, panel, near));
+            self.links(scene, panel);
+            for i in (0..self.flown).rev() {
+                // Tracks run over each other: that of the head is the thinnest, on top.
+                let width = 1.1 + 0.5 * i.min(4) as f64;
+                panel.line(scene, self.track(i), &colour::of_uav(i), width);
+            }
+            square(scene, self.on_page(panel, self.course.base.as_dvec2()));
+            dots::draw(scene, panel, &self.everybody(panel));
+            unclip(scene);
+            panel.axes(scene, "x (m)", "y (m)");
+            if panels.len() > 1 {
+                text(scene, (panel.left(), panel.top() - 7.0), TEXT_LABEL, title);
+            }
+        }
+        if let Some(first) = panels.first() {
+            self.legend(scene, first);
+        }
+    }
+
+    /// Links at the end, by loss against the threshold.
+    fn links(&self, scene: &mut Scene, panel: &Panel) {
+        let Some(frame) = self.last else { return };
+        let place = |uav: usize| self.place(frame.uavs.get(uav)?).map(|at| panel.at(at.x, at.y));
+        let base = self.on_page(panel, self.course.base.as_dvec2());
+        let behind = frame.links.iter().skip(1).map(|link| place(link.uav)).chain([Some(base)]);
+        for (link, behind) in frame.links.iter().zip(behind) {
+            let (Some(front), Some(behind)) = (place(link.uav), behind) else { continue };
+            let colour =
+                self.s_min_db().map_or(GREY, |s_min_db| colour::of_link(link.true_db.into(), s_min_db));
+            let is_lost = link.is_heard(self.course.scenario.link.lost_s) == Some(false);
+            rule(scene, front, behind, &colour, LINK, LOST.filter(|_| is_lost));
+        }
+    }
+
+    /// `None` where every signal launches.
+    fn s_min_db(&self) -> Option<f64> {
+        Some(f64::from(self.course.scenario.takeoff.s_min_db)).filter(|s_min_db| *s_min_db > 0.0)
     }
 
     /// Where a UAV flew; `None` while it was on the ground.
@@ -89,31 +150,39 @@ impl<'a> Tunnel<'a> {
         })
     }
 
-    /// Where everybody is at the end: a full dot in the air, an empty one on the ground.
-    fn uavs(&self, scene: &mut Scene, panel: &Panel) {
+    /// Where everybody is at the end.
+    fn everybody(&self, panel: &Panel) -> Vec<Somebody> {
         let uavs = self.last.map(|frame| frame.uavs.as_slice()).unwrap_or_default();
-        for (i, uav) in uavs.iter().enumerate().rev() {
-            let Some(at) = self.place(uav) else { continue };
-            let spot = panel.at(at.x, at.y);
-            if uav.airborne {
-                dot(scene, spot, 4.0, &colour::of_uav(i, self.flown), &INK);
-            } else {
-                dot(scene, spot, 2.5, &FREE, &INK);
-            }
-        }
+        let one = |(number, uav): (usize, &UavFrame)| {
+            let at = self.place(uav)?;
+            Some(Somebody { number, at: panel.at(at.x, at.y), in_the_air: uav.airborne })
+        };
+        uavs.iter().enumerate().filter_map(one).collect()
     }
 
     fn legend(&self, scene: &mut Scene, panel: &Panel) {
         let spot = legend(scene, panel, 0, "base");
         square(scene, spot);
-        let (x, y) = legend(scene, panel, 1, "track");
-        rule(scene, (x - 8.0, y), (x + 8.0, y), &colour::of_uav(0, 1), 1.4, None);
-        let spot = legend(scene, panel, 2, "at the end");
-        dot(scene, spot, 4.0, &colour::of_uav(0, 1), &INK);
-        if self.last.is_some_and(|frame| frame.uavs.iter().any(|uav| !uav.airborne)) {
-            let spot = legend(scene, panel, 3, "on the ground");
-            dot(scene, spot, 2.5, &FREE, &INK);
+        let spot = legend(scene, panel, 1, "UAV at the end");
+        dot(scene, spot, 5.0, &colour::of_uav(1), &INK);
+        let spot = legend(scene, panel, 2, "on the ground");
+        dot(scene, spot, 2.5, &FREE, &INK);
+        let mut row = 3;
+        let mut line = |words: &str, colour: &Color, width: f64, dash| {
+            let (x, y) = legend(scene, panel, row, words);
+            rule(scene, (x - 9.0, y), (x + 9.0, y), colour, width, dash);
+            row += 1;
+        };
+        line("track", &colour::of_uav(0), 1.1, None);
+        if let Some(s_min_db) = self.s_min_db() {
+            for (words, worse_db) in [("or better", -20.0), ("(s_min)", 0.0), ("or worse", 20.0)] {
+                let loss_db = s_min_db + worse_db;
+                line(&format!("{loss_db} dB {words}"), &colour::of_link(loss_db, s_min_db), LINK, None);
+            }
+        } else {
+            line("link", &GREY, LINK, None);
         }
+        line("nothing heard", &GREY, LINK, LOST);
     }
 
     /// A place of the map frame in the map file's own.
@@ -129,6 +198,16 @@ impl<'a> Tunnel<'a> {
     fn on_page(&self, panel: &Panel, at: DVec2) -> (f64, f64) {
         let at = self.shown(at);
         panel.at(at.x, at.y)
+    }
+}
+
+/// Shows in one box what part of it another one shows.
+fn outline(scene: &mut Scene, whole: &Panel, near: &Panel) {
+    let (low, high) = near.ranges();
+    let ((left, bottom), (right, top)) = (whole.at(low.0, low.1), whole.at(high.0, high.1));
+    let corners = [(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)];
+    for pair in corners.windows(2) {
+        rule(scene, pair[0], pair[1], &INK, 0.8, Some("3 3"));
     }
 }
 

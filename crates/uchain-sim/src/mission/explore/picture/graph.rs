@@ -19,17 +19,18 @@ impl Sheet<'_> {
             let [Some(a), Some(b)] = ends.map(|end| self.history.node(end)) else { continue };
             rule(scene, at(a.believed_m), at(b.believed_m), &GREY, 0.7, None);
         }
-        let (robots, fine) = (self.robots(), self.fine(panel));
+        let fine = self.fine(panel);
         for node in &self.history.nodes {
-            let fill = colour::of_uav(node.id.robot.into(), robots);
+            let fill = colour::of_uav(node.id.robot.into());
             // Small dots would be all outline.
             let outline = if fine < 0.6 { &fill } else { &INK };
             dot(scene, at(node.believed_m), 2.8 * fine, &fill, outline);
         }
+        self.draw_robots(scene, panel);
         unclip(scene);
         panel.axes(scene, "x (m)", "y (m)");
         let spot = legend(scene, panel, 0, "node, by robot");
-        dot(scene, spot, 2.8, &colour::of_uav(0, robots.max(1)), &INK);
+        dot(scene, spot, 2.8, &colour::of_uav(0), &INK);
         let (x, y) = legend(scene, panel, 1, "edge");
         rule(scene, (x - 8.0, y), (x + 8.0, y), &GREY, 0.9, None);
     }

@@ -13,6 +13,7 @@ use super::Sheet;
 use crate::{
     draw::{
         colour::{self, FREE, INK},
+        dots::{self, Somebody},
         ground::{self, area, on_page},
         panel::{Panel, dot, legend, rule, unclip},
     },
@@ -20,7 +21,7 @@ use crate::{
 };
 
 /// Arcs that are frontiers.
-const FRONTIER: Color = Color::Rgb(0xe0, 0x00, 0x9c);
+const FRONTIER: Color = Color::Rgb(0xb0, 0x43, 0x8a);
 /// What nobody saw.
 const UNSEEN: Color = Color::Rgb(0x3a, 0x3a, 0x3a);
 /// Outlines of stars.
@@ -51,7 +52,7 @@ impl Sheet<'_> {
             let points = way.iter().map(|&at| self.at(panel, at)).collect();
             // Ways run over each other: the later is the thinner.
             let width = 1.2 + 0.6 * (robots - 1 - i).min(5) as f64;
-            scene.add(line(points, &colour::of_uav(i, robots), self.fine(panel) * width));
+            scene.add(line(points, &colour::of_uav(i), self.fine(panel) * width));
         }
         let mut frontiers = 0;
         for node in &self.history.nodes {
@@ -61,14 +62,24 @@ impl Sheet<'_> {
                 frontiers += 1;
             }
         }
-        for (i, way) in self.history.ways_m.iter().enumerate() {
-            if let Some(&start) = way.first() {
-                dot(scene, self.at(panel, start), 4.0 * self.fine(panel), &colour::of_uav(i, robots), &INK);
-            }
-        }
+        self.draw_robots(scene, panel);
         unclip(scene);
         panel.axes(scene, "x (m)", "y (m)");
         self.legend(scene, panel, frontiers);
+    }
+
+    /// Every robot's start, and the robot with its number where it ended.
+    pub(crate) fn draw_robots(&self, scene: &mut Scene, panel: &Panel) {
+        let ways = || self.history.ways_m.iter().enumerate();
+        for (i, way) in ways() {
+            if let Some(&start) = way.first() {
+                dot(scene, self.at(panel, start), 4.0, &FREE, &colour::of_uav(i));
+            }
+        }
+        let ended = ways().filter_map(|(number, way)| {
+            Some(Somebody { number, at: self.at(panel, *way.last()?), in_the_air: true })
+        });
+        dots::draw(scene, panel, &ended.collect::<Vec<_>>());
     }
 
     /// Thickness of what is drawn, against that on a map on which stars are large (1).
@@ -122,27 +133,21 @@ impl Sheet<'_> {
     }
 
     fn legend(&self, scene: &mut Scene, panel: &Panel, frontiers: usize) {
-        const SHOWN: usize = 12;
-        let robots = self.robots();
-        let row = robots.min(SHOWN);
-        // Of many, some of every colour.
-        for row in 0..row {
-            let i = if robots > SHOWN { row * (robots - 1) / (SHOWN - 1) } else { row };
-            let (x, y) = legend(scene, panel, row, &format!("robot {i}"));
-            rule(scene, (x - 8.0, y), (x + 8.0, y), &colour::of_uav(i, robots), 1.8, None);
-        }
-        let spot = legend(scene, panel, row, "its start");
-        dot(scene, spot, 4.0, &colour::of_uav(0, robots.max(1)), &INK);
-        let (x, y) = legend(scene, panel, row + 1, "star");
+        let spot = legend(scene, panel, 0, "robot at the end");
+        dot(scene, spot, 5.0, &colour::of_uav(0), &INK);
+        let (x, y) = legend(scene, panel, 1, "its way");
+        rule(scene, (x - 8.0, y), (x + 8.0, y), &colour::of_uav(0), 1.8, None);
+        let spot = legend(scene, panel, 2, "its start");
+        dot(scene, spot, 4.0, &FREE, &colour::of_uav(0));
+        let (x, y) = legend(scene, panel, 3, "star");
         let corners = [(x - 7.0, y - 5.0), (x + 7.0, y - 5.0), (x + 7.0, y + 5.0), (x - 7.0, y + 5.0)];
         scene.add(area(&corners, Some(FREE), STAR, 0.5, None));
         scene.add(area(&corners, Some(STAR_FILL), STAR, 0.5, Some(0.4)));
-        let (x, y) =
-            legend(scene, panel, row + 2, if frontiers > 0 { "frontier left" } else { "frontier (none)" });
+        let (x, y) = legend(scene, panel, 4, if frontiers > 0 { "frontier left" } else { "frontier (none)" });
         rule(scene, (x - 8.0, y), (x + 8.0, y), &FRONTIER, 3.0, None);
-        let (x, y) = legend(scene, panel, row + 3, "reachable,");
+        let (x, y) = legend(scene, panel, 5, "reachable,");
         scene.add(square((x - 5.0, y - 5.0), 10.0, 10.0));
-        legend(scene, panel, row + 4, "not seen");
+        legend(scene, panel, 6, "not seen");
     }
 }
 

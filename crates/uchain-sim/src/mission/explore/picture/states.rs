@@ -1,6 +1,6 @@
 //! Places and headings over time (after Kim 2021, Fig. 15 to 17).
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, ops::Range};
 
 use kuva::render::{
     color::Color,
@@ -10,17 +10,24 @@ use kuva::render::{
 use super::headline;
 use crate::{
     draw::{
-        DrawError, colour,
-        panel::{self, FIGURE_WIDTH, Panel, TEXT_LABEL, TEXT_LARGE, legend, rule, unclip},
-        raster,
+        DrawError, LINE, LONGEST, LONGEST_HEADLINE,
+        colour::{self, LINES_MAX},
+        key::{self, Entry},
+        label::{Ending, name_ends},
+        panel::{self, FIGURE_WIDTH, LEFT, Panel, TEXT_LABEL, TEXT_LARGE, unclip},
+        raster, wrapped,
     },
     mission::explore::{ExploreHistory, ExploreSummary, Moment, Site},
 };
 
 /// Height of each box.
 const HEIGHT: f64 = 120.0;
-/// Most robots named in the legend.
+/// From one box to the next.
+const GAP: f64 = 48.0;
+/// Most robots whose numbers are written above.
 const NAMED_MAX: usize = 10;
+/// Most groups of robots with boxes of their own; of more robots the first are shown.
+const GROUPS_MAX: usize = 4;
 /// Behind the time on other levels.
 const MFL: Color = Color::Rgb(0xff, 0xe2, 0xa8);
 
@@ -63,30 +70,58 @@ pub fn states_png(
         Track { label: "height (m)", shown: levels.into(), step: Some(0.5), of: &z },
         Track { label: "heading (degrees)", shown: (-180.0, 180.0), step: Some(90.0), of: &heading },
     ];
-    let mut scene = Scene::new(FIGURE_WIDTH, 64.0 + tracks.len() as f64 * (HEIGHT + 48.0));
-    let mut top = 56.0;
-    for (i, track) in tracks.iter().enumerate() {
-        let panel = Panel::new(top, HEIGHT, (0.0, summary.sim_s.max(1.0)), range(moments, track));
-        let panel = match track.step {
-            Some(step) => panel.with_y_step(step),
-            None => panel,
-        };
-        if i == 0 {
-            panel::text(&mut scene, (panel.left(), 20.0), TEXT_LARGE, &headline(summary));
-            panel::text(&mut scene, (panel.left(), 38.0), TEXT_LABEL, &figures(summary));
-            names(&mut scene, &panel, usize::from(summary.robots));
+    let groups = groups(usize::from(summary.robots));
+    let lines: Vec<(u32, String)> = wrapped(&headline(summary), LONGEST_HEADLINE)
+        .into_iter()
+        .map(|line| (TEXT_LARGE, line))
+        .chain(wrapped(&figures(summary, &groups), LONGEST).into_iter().map(|line| (TEXT_LABEL, line)))
+        .collect();
+    let entries = [Entry::new("some robot is on another level", |scene, (x, y)| {
+        scene.add(band((x - 9.0, y - 5.0), 18.0, 10.0));
+    })];
+    let above = 12.0 + LINE * lines.len() as f64;
+    let mut top = above + key::height(&entries, LEFT) + 10.0;
+    let boxes = (tracks.len() * groups.len()) as f64;
+    let mut scene = Scene::new(FIGURE_WIDTH, top + boxes * (HEIGHT + GAP) + 8.0);
+    for (i, (size, line)) in lines.iter().enumerate() {
+        panel::text(&mut scene, (LEFT, 20.0 + LINE * i as f64), *size, line);
+    }
+    key::draw(&mut scene, (LEFT - 8.0, above), &entries);
+    for track in &tracks {
+        for group in &groups {
+            let panel = Panel::new(top, HEIGHT, (0.0, summary.sim_s.max(1.0)), range(moments, track));
+            let panel = match track.step {
+                Some(step) => panel.with_y_step(step),
+                None => panel,
+            };
+            draw(&mut scene, &panel, moments, track, group.clone());
+            top = panel.bottom() + GAP;
         }
-        draw(&mut scene, &panel, moments, track);
-        top = panel.bottom() + 48.0;
     }
     raster(&scene)
 }
 
-fn figures(summary: &ExploreSummary) -> String {
+/// Robots by box: as even as may be, no more in one than can be told apart.
+fn groups(robots: usize) -> Vec<Range<usize>> {
+    let shown = robots.clamp(1, GROUPS_MAX * LINES_MAX);
+    let each = shown.div_ceil(shown.div_ceil(LINES_MAX));
+    (0..shown).step_by(each).map(|from| from..(from + each).min(shown)).collect()
+}
+
+fn figures(summary: &ExploreSummary, groups: &[Range<usize>]) -> String {
     let list = |numbers: &mut dyn Iterator<Item = String>| numbers.collect::<Vec<_>>().join(", ");
     let nodes = list(&mut summary.nodes.iter().take(NAMED_MAX).map(u32::to_string));
     let metres = list(&mut summary.distance_m.iter().take(NAMED_MAX).map(|m| format!("{m:.2}")));
-    format!("nodes {nodes}; flown {metres} m; {:.2} s, {:.2} s of it on levels", summary.sim_s, summary.mfl_s)
+    let shown = groups.last().map_or(0, |group| group.end);
+    let some = if shown < usize::from(summary.robots) {
+        format!("; the first {shown} of {} robots", summary.robots)
+    } else {
+        String::new()
+    };
+    format!(
+        "nodes {nodes}; flown {metres} m; {:.2} s, {:.2} s of it on other levels{some}",
+        summary.sim_s, summary.mfl_s
+    )
 }
 
 /// The values of a box, with some room around them.
@@ -103,12 +138,12 @@ fn range(moments: &[Moment], track: &Track<'_>) -> (f64, f64) {
     (low - room, high + room)
 }
 
-fn draw(scene: &mut Scene, panel: &Panel, moments: &[Moment], track: &Track<'_>) {
+fn draw(scene: &mut Scene, panel: &Panel, moments: &[Moment], track: &Track<'_>, group: Range<usize>) {
     panel.axes(scene, "time (s)", track.label);
     panel.clip(scene);
     shade(scene, panel, moments);
-    let robots = moments.first().map_or(0, |moment| moment.at_m.len());
-    for robot in 0..robots {
+    let mut endings = Vec::new();
+    for robot in group.clone() {
         let mut last: Option<f64> = None;
         let values = moments.iter().flat_map(|moment| {
             let value = (track.of)(moment, robot);
@@ -120,10 +155,15 @@ fn draw(scene: &mut Scene, panel: &Panel, moments: &[Moment], track: &Track<'_>)
         });
         let values: Vec<_> = values.collect();
         // Robots on one level fly over each other's line: the later is the thinner.
-        let width = 1.3 + 0.6 * (robots - 1 - robot).min(4) as f64;
-        panel.line(scene, values.into_iter(), &colour::of_uav(robot, robots), width);
+        let width = 1.3 + 0.6 * (group.end - 1 - robot).min(4) as f64;
+        if let Some((x, y)) = values.iter().flatten().last() {
+            let words = format!("robot {robot}");
+            endings.push(Ending { at: panel.at(*x, *y), words, colour: colour::of_uav(robot) });
+        }
+        panel.line(scene, values.into_iter(), &colour::of_uav(robot), width);
     }
     unclip(scene);
+    name_ends(scene, panel, endings);
 }
 
 /// What is behind the time on other levels.
@@ -148,12 +188,18 @@ fn band((x, y): (f64, f64), width: f64, height: f64) -> Primitive {
     Primitive::Rect { x, y, width, height, fill: MFL, stroke: None, stroke_width: None, opacity: Some(0.6) }
 }
 
-fn names(scene: &mut Scene, panel: &Panel, robots: usize) {
-    let named = robots.min(NAMED_MAX);
-    for i in 0..named {
-        let (x, y) = legend(scene, panel, i, &format!("robot {i}"));
-        rule(scene, (x - 8.0, y), (x + 8.0, y), &colour::of_uav(i, robots), 1.8, None);
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn at_most_six_robots_share_a_box() {
+        assert_eq!(groups(6), [0..6]);
+        assert_eq!(groups(8), [0..4, 4..8]);
+        for robots in 1..300 {
+            let groups = groups(robots);
+            assert!(groups.iter().all(|group| (1..=LINES_MAX).contains(&group.len())), "{groups:?}");
+            assert_eq!(groups.iter().map(ExactSizeIterator::len).sum::<usize>(), robots.min(24));
+        }
     }
-    let (x, y) = legend(scene, panel, named, "on levels");
-    scene.add(band((x - 7.0, y - 5.0), 14.0, 10.0));
 }

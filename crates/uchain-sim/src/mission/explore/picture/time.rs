@@ -1,17 +1,18 @@
 //! Coverage over time.
 
-use kuva::render::{color::Color, render::Scene};
+use kuva::render::render::Scene;
 
 use super::Sheet;
 use crate::draw::{
-    colour::{self, GREY},
-    panel::{Panel, caption, legend, rule, unclip},
+    colour::{self, GREY, INK},
+    label::{Ending, name_ends},
+    panel::{Panel, caption, rule, unclip},
 };
 
 impl Sheet<'_> {
     pub(crate) fn draw_time(&self, scene: &mut Scene, panel: &Panel) {
-        panel.axes(scene, "time (s)", "seen (%)");
-        let deep = colour::of_uav(1, 2);
+        panel.axes(scene, "time (s)", "reachable ground seen (%)");
+        let deep = colour::of_uav(1);
         let summary = self.summary;
         panel.clip(scene);
         panel.line(scene, self.steps(), &deep, 1.8);
@@ -32,12 +33,13 @@ impl Sheet<'_> {
             let (x, _) = panel.at(at_s, 0.0);
             // Two that nearly meet are named once.
             if x >= free_from {
-                caption(scene, (x, panel.top() - 4.0), name, &Color::Rgb(0x55, 0x55, 0x55));
+                caption(scene, (x, panel.top() - 4.0), name, &INK);
                 free_from = x + 32.0;
             }
         }
-        let (x, y) = legend(scene, panel, 0, "seen");
-        rule(scene, (x - 8.0, y), (x + 8.0, y), &deep, 1.8, None);
+        let end = self.steps().flatten().last().map(|(x, y)| panel.at(x, y));
+        let ending = end.map(|at| Ending { at, words: "seen".to_owned(), colour: deep });
+        name_ends(scene, panel, ending.into_iter().collect());
     }
 
     /// Coverage holds until the next node.
