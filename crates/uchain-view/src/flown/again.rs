@@ -13,7 +13,7 @@ use uchain_sim::{
 use crate::seen::Viewed;
 
 /// Ticks of one UAV that are flown before a page is answered: some milliseconds.
-const MOST_AT_ONCE: u64 = 60_000;
+const MOST_AT_ONCE: u64 = 20_000;
 
 /// A mission that is flown to where somebody looks.
 #[derive(Debug)]
