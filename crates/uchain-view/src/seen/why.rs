@@ -32,7 +32,8 @@ pub(super) fn why(course: &Course, chain: &Chain, last: Last, uav: usize) -> Res
     stage(course, &told, &mut words);
     if told.stage == Stage::Flying {
         forward(course, &told, &mut words);
-        if told.speed_share < 1.0 {
+        let moves = told.estimates.allowed_mps.is_some_and(|allowed_mps| allowed_mps.abs() > STILL_MPS);
+        if told.speed_share < 1.0 && moves {
             let percent = 100.0 * told.speed_share;
             words.push(format!("A wall is near ahead: it flies at {percent:.0} % of that."));
         }
@@ -181,11 +182,14 @@ fn overridden(course: &Course, told: &Explanation, reason: Override, allowed_mps
     }
 }
 
+/// Below this it is said to stand (m/s).
+const STILL_MPS: f32 = 0.0005;
+
 /// A speed in words.
 fn flies(speed_mps: f32) -> String {
-    if speed_mps > 0.0005 {
+    if speed_mps > STILL_MPS {
         format!("{speed_mps:.2} m/s forward")
-    } else if speed_mps < -0.0005 {
+    } else if speed_mps < -STILL_MPS {
         format!("{:.2} m/s backward", -speed_mps)
     } else {
         "standing still".to_owned()
