@@ -57,7 +57,9 @@ impl Environment {
             if house::ci() {
                 return Err(error);
             }
-            return Ok(Err(format!("its packages cannot be installed, perhaps there is no network: {error:#}")));
+            return Ok(Err(format!(
+                "its packages cannot be installed, perhaps there is no network: {error:#}"
+            )));
         }
         fs::write(&stamp, wanted).with_context(|| format!("cannot write {}", stamp.display()))?;
         Ok(Ok(this))
