@@ -22,7 +22,7 @@ fn main() {
     }
 }
 
-/// Where the page is: what UCHAIN_PAGE says, else where `cargo xtask web` leaves it.
+/// Where the page is: what `UCHAIN_PAGE` says, else where `cargo xtask web` leaves it.
 fn page() -> PathBuf {
     if let Some(named) = env::var_os("UCHAIN_PAGE") {
         return std::path::absolute(&named).unwrap_or_else(|_| named.into());

@@ -12,6 +12,7 @@ pub(crate) fn to_json(seed: u64) -> Value {
     if seed <= SAFE_MAX { seed.into() } else { seed.to_string().into() }
 }
 
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over a reference")]
 pub(crate) fn serialize<S: Serializer>(seed: &u64, to: S) -> Result<S::Ok, S::Error> {
     to_json(*seed).serialize(to)
 }

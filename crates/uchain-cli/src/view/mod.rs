@@ -68,8 +68,8 @@ pub(crate) fn view(registry: Registry, asked: &View) -> Result<(), Failure> {
     let brought = flight(registry, asked)?;
     let page = page::with(brought.as_ref().map(Brought::json).transpose()?.as_deref())?;
     let file = asked.out.clone().unwrap_or_else(|| {
-        let name = brought.as_ref().map_or("uchain", |brought| &brought.name);
-        Path::new("views").join(name).with_added_extension("html")
+        let name = brought.as_ref().map_or("uchain", |brought| brought.name.as_str());
+        Path::new("views").join(format!("{name}.html"))
     });
     write(&file, &page)?;
     asked.quiet.report(|| format!("{}\n", file.display()))?;

@@ -217,7 +217,7 @@ mod tests {
     #[test]
     fn the_same_sources_are_the_same_page_and_the_engine_comes_out_as_it_went_in() {
         assert_eq!(packed(&SOUND).unwrap(), packed(&SOUND).unwrap());
-        let bytes: Vec<u8> = (0..30_000_u32).map(|i| (i * i >> 7) as u8).collect();
+        let bytes: Vec<u8> = (0..30_000_u32).map(|i| ((i * i) >> 7) as u8).collect();
         for gzip in [gzip, gzip_small] {
             let zipped = gzip(&bytes).unwrap();
             assert_eq!(zipped, gzip(&bytes).unwrap());
