@@ -4,10 +4,11 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::{
-    flown::{Flight, Input, Since},
+    flown::Flight,
     library,
-    open::{self, FlightFile, NamedFile},
+    open::{self, NamedFile},
     problem::Problem,
+    told::{self, FlightFile, Input, Since},
 };
 
 /// Longest request (bytes): a recording of 64 MiB, and what is said of it.
@@ -49,7 +50,7 @@ enum Asked {
         text: Option<String>,
         #[serde(default)]
         label: Option<String>,
-        #[serde(default = "open::one", with = "crate::seed")]
+        #[serde(default = "told::one", with = "crate::seed")]
         seed: u64,
     },
     Advance {

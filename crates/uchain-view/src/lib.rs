@@ -26,6 +26,7 @@ mod open;
 mod problem;
 mod seed;
 mod seen;
+mod told;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 

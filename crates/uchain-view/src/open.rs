@@ -2,74 +2,24 @@
 
 use std::{io::Cursor, path::Path, sync::Arc};
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use uchain_sim::{
     config::Source,
     map::{Map, RosConfig, ros_in_memory, ros_picture},
     mission::{Scene, chain::Course, explore::Site},
-    record::mcap::{Opened, walls_from_csv, walls_to_csv},
+    record::mcap::{Opened, walls_from_csv},
     registry::{AnyScene, Registry},
 };
 
 use crate::{
-    flown::{Flight, Flown, Input, TimedInput},
+    flown::{Flight, Flown},
     library::source,
     problem::Problem,
+    told::{FlightFile, TimedInput},
 };
 
 /// Largest recording (bytes).
 const RECORDING_MAX_BYTES: usize = 64 << 20;
-
-/// A flight in a file, or in a link: what is needed to fly it again, bit for bit.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct FlightFile {
-    kind: Kind,
-    /// What messages call the scenario.
-    pub(crate) label: String,
-    /// The scenario in TOML.
-    pub(crate) text: String,
-    #[serde(default = "one", with = "crate::seed")]
-    pub(crate) seed: u64,
-    /// The walls, where the scenario names a file: a table as in recordings.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) walls_csv: Option<String>,
-    /// Where the origin of these walls lies in the frame of the map's file (m).
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) map_offset_m: Option<[f64; 2]>,
-    /// What its pilot asked for, in order; nothing if the scenario's script is flown.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(crate) inputs: Vec<TimedInput>,
-}
-
-pub(crate) fn one() -> u64 {
-    1
-}
-
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Kind {
-    Scenario,
-}
-
-impl FlightFile {
-    pub(crate) fn new(source: &Source, seed: u64, walls: Option<&Map>) -> Self {
-        Self {
-            kind: Kind::Scenario,
-            label: source.label.clone(),
-            text: source.text.clone(),
-            seed,
-            walls_csv: walls.map(walls_to_csv),
-            map_offset_m: walls.map(Map::offset_m),
-            inputs: Vec::new(),
-        }
-    }
-
-    /// The same, flown by hand.
-    pub(crate) fn with_inputs(&self, inputs: Vec<TimedInput>) -> Self {
-        Self { inputs, ..self.clone() }
-    }
-}
 
 /// A file by its name; its bytes come behind the request, one file after the other.
 #[derive(Debug, Deserialize)]
@@ -231,11 +181,4 @@ pub(crate) fn map(
 
 fn base_name(file: &Path) -> String {
     file.file_name().unwrap_or_default().to_string_lossy().into_owned()
-}
-
-/// An input as a page says it, checked where it is flown.
-impl From<TimedInput> for Input {
-    fn from(timed: TimedInput) -> Self {
-        Self { speed_mps: timed.speed_mps, follow: timed.follow }
-    }
 }

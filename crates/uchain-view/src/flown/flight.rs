@@ -10,15 +10,12 @@ use uchain_sim::{
     run::FrameOf,
 };
 
-use super::{
-    Advanced, End, Flight, Flown, Input, Origin, Series, Since, Taped, TimedInput, Watched, again::steer,
-    tape::Tape,
-};
+use super::{Advanced, End, Flight, Flown, Origin, Series, Taped, Watched, again::steer, tape::Tape};
 use crate::{
-    open::FlightFile,
     problem::Problem,
     seed,
     seen::{Viewed, map_json},
+    told::{FlightFile, Input, Since, TimedInput},
 };
 
 /// Most events that a page is told of at once.

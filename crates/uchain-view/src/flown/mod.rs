@@ -10,9 +10,8 @@ mod tests;
 
 use std::{io::Cursor, sync::Arc};
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use serde_json::Value;
-use uchain_core::chain::Follow;
 use uchain_sim::{
     analyse::Digest,
     mission::{Logbook, Metrics as _, Mission, Shown},
@@ -22,39 +21,16 @@ use uchain_sim::{
     run::{FrameOf, InputOf, MetricsOf},
 };
 
-use crate::{open::FlightFile, problem::Problem, seen::Viewed};
+use crate::{
+    problem::Problem,
+    seen::Viewed,
+    told::{FlightFile, Input, Since, TimedInput},
+};
 use again::Again;
 use film::Film;
 use rows::Rows;
 pub(crate) use rows::Series;
 use tape::Tape;
-
-/// What a pilot asks for on a page.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Input {
-    pub(crate) speed_mps: f32,
-    #[serde(default)]
-    pub(crate) follow: Follow,
-}
-
-/// And when.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct TimedInput {
-    pub(crate) tick: u64,
-    pub(crate) speed_mps: f32,
-    #[serde(default)]
-    pub(crate) follow: Follow,
-}
-
-/// How far a page knows the graph of an exploration.
-#[derive(Debug, Clone, Copy, Default, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub(crate) struct Since {
-    pub(crate) nodes: usize,
-    pub(crate) labels: usize,
-    pub(crate) edges: usize,
-}
 
 /// Where a flight has come to.
 #[derive(Debug, Serialize)]

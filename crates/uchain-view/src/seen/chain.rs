@@ -14,8 +14,8 @@ use uchain_sim::{
 
 use super::{Viewed, whole_text, why};
 use crate::{
-    flown::{Input, Since},
     problem::Problem,
+    told::{Input, Since},
 };
 
 #[derive(Serialize)]

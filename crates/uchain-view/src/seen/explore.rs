@@ -14,8 +14,8 @@ use uchain_sim::{
 
 use super::{Viewed, graph::Graph, whole_text};
 use crate::{
-    flown::{Input, Since},
     problem::Problem,
+    told::{Input, Since},
 };
 
 #[derive(Serialize)]

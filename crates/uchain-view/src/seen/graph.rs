@@ -10,7 +10,7 @@ use uchain_sim::{
     record::{RecordError, Recorder},
 };
 
-use crate::flown::Since;
+use crate::told::Since;
 
 /// Most nodes, label changes or edges that are told of at once.
 const MOST: usize = 200_000;

@@ -15,8 +15,8 @@ use uchain_sim::{
 };
 
 use crate::{
-    flown::{Input, Since},
     problem::Problem,
+    told::{Input, Since},
 };
 
 /// A scene of which a page knows what there is to see.
