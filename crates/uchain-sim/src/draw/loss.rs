@@ -7,8 +7,7 @@ use kuva::render::{
 
 use super::{
     colour::{self, FREE, GREY, INK},
-    key::Entry,
-    label::Ending,
+    name::{Ending, key::Entry},
     panel::{Panel, rule},
 };
 

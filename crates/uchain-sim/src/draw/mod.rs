@@ -5,9 +5,8 @@ pub(crate) mod dots;
 #[cfg(feature = "sweep")]
 pub mod figure;
 pub(crate) mod ground;
-pub(crate) mod key;
-pub(crate) mod label;
 pub(crate) mod loss;
+pub(crate) mod name;
 pub(crate) mod panel;
 #[cfg(test)]
 pub(crate) mod said;

@@ -26,8 +26,6 @@ pub(crate) const TEXT_LABEL: u32 = 11;
 pub(crate) const TEXT_SMALL: u32 = 10;
 /// Width of a letter of that size, most of them.
 pub(crate) const LETTER: f64 = 5.8;
-/// Distance between two lines of a legend.
-const ROW: f64 = 15.0;
 
 /// A pair of axes.
 pub(crate) struct Panel {
@@ -256,18 +254,6 @@ pub(crate) fn widened(values: impl Iterator<Item = f64>, share: f64) -> (f64, f6
     }
     let room = if high > low { share * (high - low) } else { (0.05 * high.abs()).max(0.5) };
     (low - room, high + room)
-}
-
-/// Longest name in a legend (letters).
-const NAME_MAX: usize = 17;
-
-/// A line of a legend: its text, cut where there is no room; the mark is drawn left of it by the caller, around the point returned.
-pub(crate) fn legend(scene: &mut Scene, panel: &Panel, row: usize, content: &str) -> (f64, f64) {
-    let (x, y) = (panel.right() + 6.0, panel.top() + 7.0 + row as f64 * ROW);
-    let fits = content.chars().count() <= NAME_MAX;
-    let cut = || content.chars().take(NAME_MAX - 1).chain(['…']).collect();
-    text(scene, (x + 21.0, y + 3.5), TEXT_SMALL, &if fits { content.to_owned() } else { cut() });
-    (x + 8.0, y)
 }
 
 fn label((x, y): (f64, f64), content: &str, rotate: Option<f64>) -> Primitive {

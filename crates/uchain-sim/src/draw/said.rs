@@ -37,7 +37,7 @@ impl Said {
     /// Numbers that stand inside, ranges written out.
     pub(crate) fn numbers(&self) -> Vec<usize> {
         let one = |part: &str| match part.split_once('–') {
-            Some((first, last)) => first.parse().ok().zip(last.parse().ok()).map(|(a, b)| (a, b)),
+            Some((first, last)) => first.parse().ok().zip(last.parse().ok()),
             None => part.parse().ok().map(|number| (number, number)),
         };
         let parts = self.words.iter().flat_map(|words| words.split(", "));

@@ -7,8 +7,8 @@ use crate::{
     analyse::Estimate,
     draw::{
         colour::{self, GREY},
-        label::Ending,
         loss,
+        name::Ending,
         panel::{Panel, dot, rule},
     },
 };

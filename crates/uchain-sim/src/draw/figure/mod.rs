@@ -6,9 +6,8 @@ use kuva::render::render::Scene;
 
 pub use super::loss::Known;
 use super::{
-    DrawError, LINE, LONGEST, LONGEST_HEADLINE, Picture, key,
-    label::name_ends,
-    loss,
+    DrawError, LINE, LONGEST, LONGEST_HEADLINE, Picture, loss,
+    name::{key, name_ends},
     panel::{FIGURE_WIDTH, LEFT, Panel, TEXT_LABEL, TEXT_LARGE, text, unclip, widened},
     wrapped,
 };
@@ -140,7 +139,7 @@ pub(crate) fn scene(figure: &Figure) -> Scene {
         top = panel.bottom() + GAP;
         panels.push(panel);
     }
-    let notes: Vec<String> = notes(marks()).iter().flat_map(|note| wrapped(note, LONGEST)).collect();
+    let notes: Vec<String> = notes(&marks).iter().flat_map(|note| wrapped(note, LONGEST)).collect();
     let below = top - GAP + if notes.is_empty() { 44.0 } else { 58.0 };
     let mut scene = Scene::new(FIGURE_WIDTH, below + LINE * notes.len() as f64);
     for (axes, panel) in figure.axes.iter().zip(&panels) {
@@ -163,10 +162,10 @@ pub(crate) fn scene(figure: &Figure) -> Scene {
 }
 
 /// What stands below: what bars and boxes mean.
-fn notes<'a>(marks: impl Iterator<Item = &'a Mark> + Clone) -> Vec<String> {
+fn notes<'a, I: Iterator<Item = &'a Mark>>(marks: &impl Fn() -> I) -> Vec<String> {
     let mut notes = Vec::new();
     let estimates = || {
-        marks.clone().flat_map(|mark| match mark {
+        marks().flat_map(|mark| match mark {
             Mark::Estimates { points, .. } => points.as_slice(),
             _ => &[],
         })
@@ -182,7 +181,7 @@ fn notes<'a>(marks: impl Iterator<Item = &'a Mark> + Clone) -> Vec<String> {
         };
         notes.push(format!("Dots are means, bars their 95 % intervals by Student's t{cut}."));
     }
-    if marks.clone().any(|mark| matches!(mark, Mark::Distribution { .. })) {
+    if marks().any(|mark| matches!(mark, Mark::Distribution { .. })) {
         notes.push("Boxes are medians, quartiles and extremes; every dot is a run.".to_owned());
     }
     notes

@@ -5,9 +5,12 @@ use uchain_core::bounded;
 
 use crate::draw::{
     colour::{self, GREY, LINES_MAX},
-    key::{self, Entry},
-    label::{Ending, name_ends},
     loss::{self, Known},
+    name::{
+        Ending,
+        key::{self, Entry},
+        name_ends,
+    },
     panel::{FIGURE_WIDTH, LEFT, Panel, TEXT_SMALL, caption, name_axes, round_step, rule, text, unclip},
 };
 use crate::mission::chain::{Course, Frame, History, LinkFrame, Summary};

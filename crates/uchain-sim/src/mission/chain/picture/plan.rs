@@ -4,8 +4,8 @@ use kuva::render::{color::Color, render::Scene};
 
 use crate::draw::{
     colour::{self, GREY},
-    label::{Ending, name_ends},
     loss,
+    name::{Ending, name_ends},
     panel::{Panel, rule, unclip},
 };
 use crate::mission::chain::{Plan, PlanRow};

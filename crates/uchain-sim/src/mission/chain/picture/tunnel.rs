@@ -13,7 +13,8 @@ use crate::draw::{
     colour::{self, FREE, GREY, INK},
     dots::{self, Somebody},
     ground,
-    panel::{BOX_WIDTH, Panel, dot, legend, rule, text, unclip},
+    name::legend,
+    panel::{BOX_WIDTH, Panel, dot, rule, text, unclip},
 };
 use crate::mission::chain::{Course, Frame, History, Summary, UavFrame};
 

@@ -7,7 +7,8 @@ use super::Sheet;
 use crate::draw::{
     colour::{self, GREY, INK},
     ground::{self, on_page},
-    panel::{Panel, dot, legend, rule, unclip},
+    name::legend,
+    panel::{Panel, dot, rule, unclip},
 };
 
 impl Sheet<'_> {

@@ -15,7 +15,8 @@ use crate::{
         colour::{self, FREE, INK},
         dots::{self, Somebody},
         ground::{self, area, on_page},
-        panel::{Panel, dot, legend, rule, unclip},
+        name::legend,
+        panel::{Panel, dot, rule, unclip},
     },
     mission::explore::{ExploreHistory, NodeFrame},
 };
@@ -65,7 +66,7 @@ impl Sheet<'_> {
         self.draw_robots(scene, panel);
         unclip(scene);
         panel.axes(scene, "x (m)", "y (m)");
-        self.legend(scene, panel, frontiers);
+        explain(scene, panel, frontiers);
     }
 
     /// Every robot's start, and the robot with its number where it ended.
@@ -131,24 +132,24 @@ impl Sheet<'_> {
             }
         }
     }
+}
 
-    fn legend(&self, scene: &mut Scene, panel: &Panel, frontiers: usize) {
-        let spot = legend(scene, panel, 0, "robot at the end");
-        dot(scene, spot, 5.0, &colour::of_uav(0), &INK);
-        let (x, y) = legend(scene, panel, 1, "its way");
-        rule(scene, (x - 8.0, y), (x + 8.0, y), &colour::of_uav(0), 1.8, None);
-        let spot = legend(scene, panel, 2, "its start");
-        dot(scene, spot, 4.0, &FREE, &colour::of_uav(0));
-        let (x, y) = legend(scene, panel, 3, "star");
-        let corners = [(x - 7.0, y - 5.0), (x + 7.0, y - 5.0), (x + 7.0, y + 5.0), (x - 7.0, y + 5.0)];
-        scene.add(area(&corners, Some(FREE), STAR, 0.5, None));
-        scene.add(area(&corners, Some(STAR_FILL), STAR, 0.5, Some(0.4)));
-        let (x, y) = legend(scene, panel, 4, if frontiers > 0 { "frontier left" } else { "frontier (none)" });
-        rule(scene, (x - 8.0, y), (x + 8.0, y), &FRONTIER, 3.0, None);
-        let (x, y) = legend(scene, panel, 5, "reachable,");
-        scene.add(square((x - 5.0, y - 5.0), 10.0, 10.0));
-        legend(scene, panel, 6, "not seen");
-    }
+fn explain(scene: &mut Scene, panel: &Panel, frontiers: usize) {
+    let spot = legend(scene, panel, 0, "robot at the end");
+    dot(scene, spot, 5.0, &colour::of_uav(0), &INK);
+    let (x, y) = legend(scene, panel, 1, "its way");
+    rule(scene, (x - 8.0, y), (x + 8.0, y), &colour::of_uav(0), 1.8, None);
+    let spot = legend(scene, panel, 2, "its start");
+    dot(scene, spot, 4.0, &FREE, &colour::of_uav(0));
+    let (x, y) = legend(scene, panel, 3, "star");
+    let corners = [(x - 7.0, y - 5.0), (x + 7.0, y - 5.0), (x + 7.0, y + 5.0), (x - 7.0, y + 5.0)];
+    scene.add(area(&corners, Some(FREE), STAR, 0.5, None));
+    scene.add(area(&corners, Some(STAR_FILL), STAR, 0.5, Some(0.4)));
+    let (x, y) = legend(scene, panel, 4, if frontiers > 0 { "frontier left" } else { "frontier (none)" });
+    rule(scene, (x - 8.0, y), (x + 8.0, y), &FRONTIER, 3.0, None);
+    let (x, y) = legend(scene, panel, 5, "reachable,");
+    scene.add(square((x - 5.0, y - 5.0), 10.0, 10.0));
+    legend(scene, panel, 6, "not seen");
 }
 
 fn line(points: Vec<(f64, f64)>, stroke: &Color, stroke_width: f64) -> Primitive {

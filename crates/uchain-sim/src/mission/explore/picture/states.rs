@@ -7,13 +7,18 @@ use kuva::render::{
     render::{Primitive, Scene},
 };
 
+use uchain_core::bounded;
+
 use super::headline;
 use crate::{
     draw::{
         DrawError, LINE, LONGEST, LONGEST_HEADLINE,
         colour::{self, LINES_MAX},
-        key::{self, Entry},
-        label::{Ending, name_ends},
+        name::{
+            Ending,
+            key::{self, Entry},
+            name_ends,
+        },
         panel::{self, FIGURE_WIDTH, LEFT, Panel, TEXT_LABEL, TEXT_LARGE, unclip},
         raster, wrapped,
     },
@@ -103,7 +108,7 @@ pub fn states_png(
 
 /// Robots by box: as even as may be, no more in one than can be told apart.
 fn groups(robots: usize) -> Vec<Range<usize>> {
-    let shown = robots.clamp(1, GROUPS_MAX * LINES_MAX);
+    let shown = bounded(robots, 1, GROUPS_MAX * LINES_MAX);
     let each = shown.div_ceil(shown.div_ceil(LINES_MAX));
     (0..shown).step_by(each).map(|from| from..(from + each).min(shown)).collect()
 }
@@ -194,7 +199,7 @@ mod tests {
 
     #[test]
     fn at_most_six_robots_share_a_box() {
-        assert_eq!(groups(6), [0..6]);
+        assert_eq!((groups(6).len(), groups(6).first()), (1, Some(&(0..6))));
         assert_eq!(groups(8), [0..4, 4..8]);
         for robots in 1..300 {
             let groups = groups(robots);

@@ -5,7 +5,7 @@ use kuva::render::render::Scene;
 use super::Sheet;
 use crate::draw::{
     colour::{self, GREY, INK},
-    label::{Ending, name_ends},
+    name::{Ending, name_ends},
     panel::{Panel, caption, rule, unclip},
 };
 

@@ -135,7 +135,7 @@ mod tests {
         let near = |at: Vec2| {
             let to_wall_m = |wall: &Segment| {
                 let way = wall.b - wall.a;
-                let share = ((at - wall.a).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+                let share = uchain_core::bounded((at - wall.a).dot(way) / way.length_squared(), 0.0, 1.0);
                 at.distance(wall.a + way * share)
             };
             map.walls().iter().map(to_wall_m).fold(f32::INFINITY, f32::min)

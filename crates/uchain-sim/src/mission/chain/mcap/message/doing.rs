@@ -21,6 +21,7 @@ const UNSAID: u32 = 0;
 const NOTHING: u32 = 1;
 
 /// What a UAV is about, as numbers.
+#[derive(Clone, Copy)]
 struct DoingCodes {
     overridden: u32,
     follow: u32,

@@ -2,7 +2,7 @@
 
 use kuva::render::render::Scene;
 
-use super::panel::{FIGURE_WIDTH, LETTER, TEXT_SMALL, text};
+use crate::draw::panel::{FIGURE_WIDTH, LETTER, TEXT_SMALL, text};
 
 /// Distance between two rows.
 const ROW: f64 = 16.0;
@@ -11,10 +11,13 @@ const ASIDE: f64 = 14.0;
 /// Room between two entries.
 const GAP: f64 = 18.0;
 
+/// Draws a mark around a point.
+type Draw = dyn Fn(&mut Scene, (f64, f64));
+
 /// A mark, and what it means.
 pub(crate) struct Entry {
     words: String,
-    mark: Box<dyn Fn(&mut Scene, (f64, f64))>,
+    mark: Box<Draw>,
 }
 
 impl Entry {

@@ -2,7 +2,7 @@
 
 use kuva::render::{color::Color, render::Scene};
 
-use super::panel::{Panel, TEXT_SMALL, rule, text};
+use crate::draw::panel::{Panel, TEXT_SMALL, rule, text};
 
 /// Least distance between two names.
 const ROW: f64 = 12.0;
