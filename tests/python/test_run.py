@@ -123,6 +123,18 @@ def test_events_are_those_that_the_recording_says(corner: uchain.Run):
     assert touched == corner.events
 
 
+def test_events_say_what_overrode_the_head_and_when_a_launch_was_armed(corner: uchain.Run):
+    overrides = [event for event in corner.events if event.kind.startswith("override-")]
+    assert [(event.kind, event.robot) for event in overrides] == [("override-begins", 0), ("override-ends", 0)]
+    assert all("(head-stop)" in event.text for event in overrides)
+    assert "link.head_stop_db = 70" in overrides[0].text
+    armed = [event.robot for event in corner.events if event.kind == "launch-armed"]
+    assert armed == [1, 2], "the head is never asked"
+    free = uchain.Scenario.from_name("corner").with_(**{"link.head_stop_db": 150, "link.head_back_db": 151})
+    kinds = {event.kind for event in uchain.run(free, seed=1).events}
+    assert "took-off" in kinds and "override-begins" not in kinds
+
+
 def test_an_exploration_has_rounds_and_a_graph(apartment: uchain.Run):
     rounds, graph = apartment.rounds, apartment.graph
     assert graph is not None

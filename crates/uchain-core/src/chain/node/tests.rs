@@ -4,7 +4,10 @@ use proptest::prelude::*;
 use std::vec::Vec;
 
 use super::{
-    super::{BASE_ID, Brain, Explanation, Heard, PilotInput, Tof, equalize},
+    super::{
+        BASE_ID, Brain, Doing, Explanation, Heard, Launch, LaunchHold, Override, PendingLaunch, PilotInput,
+        Tof, WallSide, Walls, equalize,
+    },
     *,
 };
 
@@ -145,4 +148,68 @@ fn nothing_is_asked_on_the_ground_of_the_head_between_decisions_or_before_both_l
         young.conclude(&one, 0.3);
     }
     assert!(young.decide(&one).airborne && young.estimates().allowed_mps == Some(0.0));
+}
+
+/// What a relay that has flown for a while is about, by what it sees.
+fn doing(params: &NodeParams, seen: &Observation) -> Doing {
+    let mut node = Node::new(Role::Relay, params.clone());
+    for _ in 0..200 {
+        node.decide(&between(63.0));
+    }
+    for _ in 0..50 {
+        node.decide(seen);
+    }
+    node.doing(seen).unwrap()
+}
+
+#[test]
+fn a_relay_says_what_overrides_it_and_which_walls_it_steers_by() {
+    let params = NodeParams::default();
+    assert_eq!(doing(&params, &between(63.0)), Doing::default());
+    let silent = Observation { radio: Some(RadioSlot::default()), ..between(63.0) };
+    assert_eq!(doing(&params, &silent).overridden, Some(Override::BackLost));
+    let near = NodeParams {
+        equalize: EqualizeParams { spacing: true, spacing_db: 70.0, ..params.equalize.clone() },
+        ..params.clone()
+    };
+    assert_eq!(doing(&near, &between(63.0)).overridden, Some(Override::Spacing));
+    let narrow = Tof { nw_m: 0.5, ne_m: 2.0, sw_m: 0.5, se_m: 0.6 };
+    let by_left = doing(&params, &Observation { tof: Some(narrow), ..between(63.0) });
+    assert_eq!((by_left.walls, by_left.invalid_wall()), (Some(Walls::Left), Some(WallSide::Right)));
+    let too_near = Tof { nw_m: 0.1, sw_m: 0.1, ne_m: 0.5, se_m: 0.5 };
+    let pushed = doing(&params, &Observation { tof: Some(too_near), ..between(63.0) });
+    assert_eq!((pushed.pushed_by, by_left.pushed_by), (Some(WallSide::Left), None));
+}
+
+#[test]
+fn a_uav_on_the_ground_says_that_its_launch_is_armed_or_what_holds_it() {
+    let seen = |loss_db, flown_s, imbalance_db| {
+        let ahead = Packet { flown_s, imbalance_db, ..Packet::default() };
+        let heard = [Heard { from: 0, loss_db, packet: ahead }];
+        Observation { place: Some(1), radio: Some(heard.into_iter().collect()), ..Observation::default() }
+    };
+    let converged = TakeoffParams { launch: Launch::Converged, ..TakeoffParams::default() };
+    let launch = |takeoff: &TakeoffParams, seen: &[Observation]| {
+        let params = NodeParams { takeoff: takeoff.clone(), ..NodeParams::default() };
+        let mut node = Node::new(Role::Relay, params);
+        seen.iter().for_each(|seen| _ = node.decide(seen));
+        node.doing(seen.last().unwrap()).unwrap().launch
+    };
+    let held =
+        |takeoff: &TakeoffParams, seen: &[Observation]| launch(takeoff, seen).map(|launch| launch.held);
+    let threshold = TakeoffParams::default();
+    assert_eq!(held(&threshold, &[seen(59.0, 60.0, 0.0)]), None, "the link is good");
+    assert_eq!(
+        launch(&threshold, &[seen(65.0, 60.0, 0.0)]),
+        Some(PendingLaunch { loss_db: 65.0, held: None })
+    );
+    assert_eq!(held(&threshold, &[seen(65.0, 1.0, 0.0)]), Some(Some(LaunchHold::Ahead)));
+    assert_eq!(held(&converged, &[seen(65.0, 60.0, 9.0)]), Some(Some(LaunchHold::Unlevelled)));
+    assert_eq!(held(&threshold, &[seen(65.0, 60.0, 9.0)]), Some(None), "it waits for no level");
+    let silence = Observation { radio: Some(RadioSlot::default()), ..seen(65.0, 1.0, 0.0) };
+    let mut quiet = vec![seen(65.0, 1.0, 0.0)];
+    quiet.extend(std::iter::repeat_n(silence, 10));
+    assert_eq!(held(&threshold, &quiet), Some(Some(LaunchHold::Silent)));
+    let many = vec![seen(65.0, 60.0, 0.0); 20];
+    assert_eq!(held(&threshold, &many), None, "in the air");
 }
