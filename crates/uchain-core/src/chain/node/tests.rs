@@ -1,7 +1,7 @@
 extern crate std;
 
 use proptest::prelude::*;
-use std::vec::Vec;
+use std::{vec, vec::Vec};
 
 use super::{
     super::{
