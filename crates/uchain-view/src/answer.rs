@@ -127,14 +127,14 @@ impl Engine {
                 let files = open::split(&named, files)?;
                 self.open(open::map(&files, cell_m, text, label, seed))
             }
-            asked => self.of_flight(asked),
+            asked => self.of_flight(&asked),
         }
     }
 
     /// What is asked of the flight that is open.
-    fn of_flight(&mut self, asked: Asked) -> Result<String, Problem> {
+    fn of_flight(&mut self, asked: &Asked) -> Result<String, Problem> {
         let flight = self.flight.as_mut().ok_or_else(Problem::nothing_is_open)?;
-        match asked {
+        match *asked {
             Asked::Advance { ticks } => said(&flight.advance(ticks)?),
             Asked::Steer(input) => flight.steer(input).and_then(|()| said(&Value::Null)),
             Asked::Cut { tick } => flight.cut(tick).and_then(|()| said(&flight.scene()?)),

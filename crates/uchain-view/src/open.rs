@@ -61,22 +61,22 @@ pub(crate) fn scenario(file: FlightFile) -> Result<Box<dyn Flight>, Problem> {
     };
     let inputs = file.inputs.clone();
     let source = source(file.text, file.label)?;
-    in_walls(source, walls, file.seed, inputs)
+    in_walls(&source, walls.as_ref(), file.seed, inputs)
 }
 
 /// A scenario, in walls that were built before if there are any.
 fn in_walls(
-    source: Source,
-    walls: Option<Map>,
+    source: &Source,
+    walls: Option<&Map>,
     seed: u64,
     inputs: Vec<TimedInput>,
 ) -> Result<Box<dyn Flight>, Problem> {
     let registry = Registry::default();
-    let scene = match &walls {
-        Some(map) => registry.read_in(&source, &[], map.clone())?,
-        None => registry.read(&source, &[])?,
+    let scene = match walls {
+        Some(map) => registry.read_in(source, &[], map.clone())?,
+        None => registry.read(source, &[])?,
     };
-    let file = FlightFile::new(&source, seed, walls.as_ref());
+    let file = FlightFile::new(source, seed, walls);
     Ok(match known(&*scene)? {
         Known::Chain(course) => Box::new(Flown::live(course, file, inputs)?),
         Known::Exploration(site) => Box::new(Flown::live(site, file, inputs)?),
@@ -164,19 +164,17 @@ pub(crate) fn map(
     })?;
     let config: RosConfig = toml::from_str("file = \"\"").map_err(Problem::new)?;
     let map = ros_in_memory(file, &yaml, picture, config.simplify_m).map_err(Problem::new)?;
-    let source = match text {
-        Some(text) => source(text, label.unwrap_or_else(|| "scenario.toml".to_owned()))?,
+    let source = if let Some(text) = text {
+        source(text, label.unwrap_or_else(|| "scenario.toml".to_owned()))?
+    } else {
         // Robots explore it; nothing is read from a disk.
-        None => {
-            let mut source = Source::find(&base_name(file))?;
-            if let Some(cell_m) = cell_m {
-                source.text =
-                    source.text.replace("\n[explore]", &format!("\ncell_m = {cell_m:?}\n[explore]"));
-            }
-            source
+        let mut source = Source::find(&base_name(file))?;
+        if let Some(cell_m) = cell_m {
+            source.text = source.text.replace("\n[explore]", &format!("\ncell_m = {cell_m:?}\n[explore]"));
         }
+        source
     };
-    in_walls(source, Some(map), seed, Vec::new())
+    in_walls(&source, Some(&map), seed, Vec::new())
 }
 
 fn base_name(file: &Path) -> String {

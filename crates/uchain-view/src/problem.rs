@@ -41,8 +41,9 @@ impl Display for Problem {
 impl From<ConfigError> for Problem {
     fn from(error: ConfigError) -> Self {
         let key = error.key().map(str::to_owned);
-        let names_a_file =
-            key.as_deref().is_some_and(|key| key.starts_with("map.") && key.ends_with(".file"));
+        let names_a_file = key
+            .as_deref()
+            .is_some_and(|key| key.starts_with("map.") && key.split('.').next_back() == Some("file"));
         Self { line: error.line(), hint: names_a_file.then_some(NO_FILES), key, ..Self::new(error) }
     }
 }

@@ -201,10 +201,12 @@ impl<S: Viewed> Flight for Flown<S> {
         let tick = tick.min(self.tick);
         let kept = self.watched.film.at(tick).ok_or_else(|| Problem::new("nothing has been flown yet"))?;
         let between = kept.tick() != tick;
-        if between && self.flies_again && self.again.seek(&self.scene, self.file.seed, &self.inputs, tick) {
-            if let Some(frame) = self.again.kept() {
-                return self.scene.frame_json(&frame, &self.watched.extra, true);
-            }
+        if between
+            && self.flies_again
+            && self.again.seek(&self.scene, self.file.seed, &self.inputs, tick)
+            && let Some(frame) = self.again.kept()
+        {
+            return self.scene.frame_json(&frame, &self.watched.extra, true);
         }
         self.scene.frame_json(kept, &self.watched.extra, !between || !self.flies_again)
     }

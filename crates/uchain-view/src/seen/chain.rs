@@ -32,6 +32,7 @@ struct FrameView<'a> {
 }
 
 #[derive(Serialize)]
+#[expect(clippy::struct_field_names, reason = "they are speeds, and say so on the page")]
 struct HeadView {
     pilot_mps: f32,
     allowed_mps: f32,
@@ -90,6 +91,7 @@ pub(super) fn walls_word(walls: Walls) -> &'static str {
 }
 
 #[derive(Serialize)]
+#[expect(clippy::struct_field_names, reason = "they are distances, and say so on the page")]
 struct TofView {
     nw_m: f32,
     ne_m: f32,

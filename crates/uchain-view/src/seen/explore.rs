@@ -75,7 +75,7 @@ impl Viewed for Site {
             "range_m": params.r_s_m,
             "level_z_m": levels,
             "v_mps": team.v_mps,
-            "spawns_m": self.spawns.iter().map(|at| at.to_array()).collect::<Vec<_>>(),
+            "spawns_m": self.spawns.iter().map(uchain_sim::glam::Vec2::to_array).collect::<Vec<_>>(),
         });
         ("exploration", exploration)
     }

@@ -192,7 +192,9 @@ fn a_uav_on_the_ground_says_that_its_launch_is_armed_or_what_holds_it() {
     let launch = |takeoff: &TakeoffParams, seen: &[Observation]| {
         let params = NodeParams { takeoff: takeoff.clone(), ..NodeParams::default() };
         let mut node = Node::new(Role::Relay, params);
-        seen.iter().for_each(|seen| _ = node.decide(seen));
+        for seen in seen {
+            _ = node.decide(seen);
+        }
         node.doing(seen.last().unwrap()).unwrap().launch
     };
     let held =
