@@ -79,3 +79,12 @@ pub(crate) fn boxes(scene: &Scene) -> Vec<Said> {
     }
     boxes
 }
+
+/// All words of a drawing.
+pub(crate) fn words(scene: &Scene) -> Vec<&str> {
+    let words = scene.elements.iter().filter_map(|element| match element {
+        Primitive::Text { content, .. } => Some(content.as_str()),
+        _ => None,
+    });
+    words.collect()
+}

@@ -221,5 +221,29 @@ fn ranges(axes: &Axes) -> ((f64, f64), (f64, f64)) {
     let shown = || axes.shown.iter().flatten().map(|(x, y)| (Some(*x), *y));
     let points = || axes.marks.iter().flat_map(Mark::points).chain(shown());
     let x = widened(points().filter_map(|(x, _)| x), 0.02);
-    (x, widened(points().map(|(_, y)| y), 0.07))
+    let (low, high) = widened(points().map(|(_, y)| y), 0.07);
+    // Of what is never below 0 the axis says nothing below it, but for room for dots that lie there.
+    let is_below = low < 0.0 && points().any(|(_, y)| y < 0.0);
+    (x, (if is_below { low } else { low.max(-0.07 * high.abs()) }, high))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draw::said;
+
+    #[test]
+    fn an_axis_of_counts_has_no_number_below_0() {
+        let has_minus = |counts: &[f64]| {
+            let estimate = |count: &f64| Estimate::of_never_negative(&[*count, 0.0, 0.0]);
+            let places = (10..).map(f64::from);
+            let points = places.zip(counts.iter().filter_map(estimate)).collect();
+            let marks = vec![Mark::Estimates { name: String::new(), colour: 0, points }];
+            let drawn = Figure { title: String::new(), axes: vec![Axes { marks, ..Axes::default() }] };
+            said::words(&scene(&drawn)).iter().any(|words| words.starts_with('-'))
+        };
+        assert!(!has_minus(&[0.0]));
+        assert!(!has_minus(&[0.0, 1.0, 9.0]));
+        assert!(has_minus(&[0.0, -9.0]), "what is below 0 is shown");
+    }
 }
