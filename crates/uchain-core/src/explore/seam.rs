@@ -81,6 +81,19 @@ pub enum Purpose {
     Wait,
 }
 
+impl Purpose {
+    /// In a word, for programs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Explore => "explore",
+            Self::Backtrack => "backtrack",
+            Self::Home => "home",
+            Self::Park => "park",
+            Self::Wait => "wait",
+        }
+    }
+}
+
 /// What a robot is about to fly, in the same instant as all others.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target {

@@ -7,7 +7,7 @@ use pyo3::{exceptions::PyValueError, prelude::*, types::PyDict};
 use uchain_core::explore::{self, ExploreParams, Observation, Point, Pose, Ssg};
 use uchain_sim::seed::{Seed, Source, Stream};
 
-use super::{message::Message, params::from_keywords, words};
+use super::{message::Message, params::from_keywords};
 use crate::errors;
 
 /// Where a robot is about to fly.
@@ -146,7 +146,7 @@ impl Explorer {
         let draw = &mut mind.draw;
         let target = errors::caught(|| mind.robot.announce(&mut mind.graph, &mut || draw.bits(), &mut said))?;
         let explore::Target { purpose, to, level, .. } = target;
-        let target = Target { purpose: words::purpose(purpose), x_m: to.x_m, y_m: to.y_m, level };
+        let target = Target { purpose: purpose.word(), x_m: to.x_m, y_m: to.y_m, level };
         Ok((target, wrapped(said)))
     }
 

@@ -2,7 +2,6 @@
 
 use pyo3::{exceptions::PyValueError, prelude::*};
 use uchain_core::chain::{Follow, Role, Stage, Walls};
-use uchain_core::explore::Purpose;
 
 /// The choice of a word.
 ///
@@ -50,15 +49,5 @@ pub(super) fn walls(walls: Walls) -> &'static str {
         Walls::Both => "both",
         Walls::Left => "left",
         Walls::Right => "right",
-    }
-}
-
-pub(super) fn purpose(purpose: Purpose) -> &'static str {
-    match purpose {
-        Purpose::Explore => "explore",
-        Purpose::Backtrack => "backtrack",
-        Purpose::Home => "home",
-        Purpose::Park => "park",
-        Purpose::Wait => "wait",
     }
 }

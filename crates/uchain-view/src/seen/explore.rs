@@ -47,17 +47,6 @@ struct RobotView {
     level_passes: u32,
 }
 
-/// A purpose in a word.
-fn word(purpose: Purpose) -> &'static str {
-    match purpose {
-        Purpose::Explore => "explore",
-        Purpose::Backtrack => "backtrack",
-        Purpose::Home => "home",
-        Purpose::Park => "park",
-        Purpose::Wait => "wait",
-    }
-}
-
 /// Rounds are rare: ways are drawn by two places a second.
 const ROW_TICKS: u64 = 10;
 
@@ -144,7 +133,7 @@ impl Viewed for Site {
             z_m: robot.z_m,
             heading_rad: robot.heading_rad,
             level: robot.level,
-            purpose: word(robot.purpose),
+            purpose: robot.purpose.word(),
             moves: robot.moves,
             holds: robot.holds,
             mfl: robot.mfl,
@@ -193,7 +182,7 @@ impl Viewed for Site {
             "tick": frame.tick,
             "uav": robot,
             "words": words,
-            "purpose": word(now.purpose),
+            "purpose": now.purpose.word(),
             "level": now.level,
             "holds": now.holds,
             "mfl": now.mfl,
