@@ -110,7 +110,7 @@ const STANDS_IN: &[(&str, &str)] = &[
             "run --release --example "*) test -f "$PROJECT/examples/$4.rs" ;;
             "install --path "*) test -f "$PROJECT/$3/src/main.rs" ;;
             "doc --open -p "*) test -f "$PROJECT/crates/$4/src/lib.rs" ;;
-            "xtask test" | "xtask bench" | "xtask web" | "xtask web --dist") ;;
+            "xtask test" | "xtask bench" | "xtask firmware" | "xtask web" | "xtask web --dist") ;;
             *) echo "cargo $*: what is that?" >&2; exit 1 ;;
         esac"#,
     ),

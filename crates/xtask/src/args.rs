@@ -18,9 +18,14 @@ pub(crate) enum Wish {
     Bench(Bench),
     /// Who imports whom.
     Rooms,
+    /// The core on the emulated chip, and what it costs there.
+    Firmware,
     /// The page.
     Web(Effort),
 }
+
+/// What there is to do.
+const TASKS: [&str; 6] = ["test", "bench", "firmware", "rooms", "web", "help"];
 
 pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> {
     let args: Vec<String> = args.collect();
@@ -31,10 +36,9 @@ pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> 
         "test" => test(&args[1..]),
         "bench" => bench(&args[1..]),
         "rooms" => args.get(1).map_or(Ok(Wish::Rooms), |more| Err(format!("what is `{more}`?"))),
+        "firmware" => args.get(1).map_or(Ok(Wish::Firmware), |more| Err(format!("what is `{more}`?"))),
         "web" => web(&args[1..]),
-        other => {
-            Err(format!("unknown task `{other}`{}", meant(other, &["test", "bench", "rooms", "web", "help"])))
-        }
+        other => Err(format!("unknown task `{other}`{}", meant(other, &TASKS))),
     }
 }
 
@@ -82,6 +86,7 @@ pub(crate) fn help() -> String {
     let mut text = String::from(
         "Usage: cargo xtask test [STEP]...\n       \
                 cargo xtask bench [FILTER | --accept]\n       \
+                cargo xtask firmware\n       \
                 cargo xtask rooms\n       \
                 cargo xtask web [--dist]\n\n\
          `test` runs the named steps, or all of them, in this order; the first failure ends it:\n\n",
@@ -97,6 +102,8 @@ pub(crate) fn help() -> String {
         "\n`bench` times everything, or what matches FILTER, and prints one table, ratios to the baselines\n\
          first. Without a filter it then counts instructions under valgrind and compares them with\n\
          benches/instructions.txt; --accept only counts, and writes that file.\n\
+         \n`firmware` flies the laws on an emulated microcontroller, an STM32F405 as on a Crazyflie, and prints what\n\
+         they cost there; qemu-system-arm has to be installed.\n\
          \n`rooms` prints which module at the top of a crate imports which others.\n\
          \n`web` builds target/web/uchain.html, the page that `uchain view` opens; --dist takes longer and\n\
          makes it as small as it gets, with wasm-opt (binaryen) if that is there.\n",
@@ -113,6 +120,7 @@ mod tests {
             Wish::Help => Ok(vec!["help"]),
             Wish::Test(steps) => Ok(steps.iter().map(|s| s.name).collect()),
             Wish::Bench(_) => Ok(vec!["bench"]),
+            Wish::Firmware => Ok(vec!["firmware"]),
             Wish::Rooms => Ok(vec!["rooms"]),
             Wish::Web(Effort::Quick) => Ok(vec!["web"]),
             Wish::Web(Effort::Dist) => Ok(vec!["web", "dist"]),
@@ -139,6 +147,13 @@ mod tests {
         assert_eq!(names(&["bench", "rays"]), Ok(vec!["bench"]));
         assert!(names(&["bench", "rays", "w1"]).is_err());
         assert!(names(&["bench", "rays", "--accept"]).is_err());
+    }
+
+    #[test]
+    fn the_chip_takes_no_more_words() {
+        assert_eq!(names(&["firmware"]), Ok(vec!["firmware"]));
+        assert_eq!(names(&["firmware", "all"]), Err("what is `all`?".into()));
+        assert_eq!(names(&["firmwar"]), Err("unknown task `firmwar`; did you mean `firmware`?".into()));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 
 mod args;
 mod bench;
+mod firmware;
 mod house;
 mod nm;
 mod rooms;
@@ -44,6 +45,13 @@ fn main() -> ExitCode {
             }
             Err(error) => {
                 eprintln!("rooms: {error:#}");
+                ExitCode::FAILURE
+            }
+        },
+        Ok(Wish::Firmware) => match firmware::firmware(&House::find()) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => {
+                eprintln!("firmware: {error:#}");
                 ExitCode::FAILURE
             }
         },

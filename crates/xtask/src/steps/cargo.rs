@@ -2,12 +2,12 @@
 
 use anyhow::Result;
 
-use super::{LIBM_ONLY, NO_STD, Outcome};
+use super::{FIRMWARE, LIBM_ONLY, NO_STD, Outcome};
 use crate::house::{House, run};
 
 pub(super) fn fmt(house: &House) -> Result<Outcome> {
     run(&mut house.cargo("fmt --all --check"))?;
-    for proof in [NO_STD, LIBM_ONLY] {
+    for proof in [NO_STD, LIBM_ONLY, FIRMWARE] {
         run(&mut house.cargo_in(proof, "fmt --all --check"))?;
     }
     Ok(Outcome::Passed)

@@ -5,24 +5,65 @@ use std::{collections::BTreeSet, fs, path::Path};
 
 use anyhow::{Context as _, Result, ensure};
 
-use super::{LIBM_ONLY, NO_STD, Outcome};
+use super::Outcome;
 use crate::house::House;
+
+/// What a workspace of its own may depend on.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum May {
+    /// What the project depends on, and nothing else.
+    TheSame,
+    /// More than that; of what both depend on, a version that the project has.
+    More,
+}
+
+/// The workspaces of their own.
+const WORKSPACES: &[(&str, May)] = &[
+    ("tests/no_std", May::TheSame),
+    ("tests/libm_only", May::TheSame),
+    // A chip's start-up code.
+    ("tests/firmware", May::More),
+];
 
 pub(super) fn agree(house: &House) -> Result<Outcome> {
     let ours = locked(&house.root.join("Cargo.lock"))?;
-    for proof in [NO_STD, LIBM_ONLY] {
-        let theirs = locked(&house.root.join("tests").join(proof.0).join("Cargo.lock"))?;
-        let stray: Vec<_> = theirs.difference(&ours).cloned().collect();
+    for &(folder, may) in WORKSPACES {
+        let theirs = locked(&house.root.join(folder).join("Cargo.lock"))?;
+        let stray = stray(&theirs, &ours, may);
         ensure!(
             stray.is_empty(),
-            "tests/{0}/Cargo.lock has {1}, which the project's Cargo.lock has not; to mend it:\n\
-             cp Cargo.lock tests/{0}/ && cargo update --workspace --manifest-path tests/{0}/Cargo.toml",
-            proof.0,
-            stray.join(", ")
+            "{folder}/Cargo.lock has {}, which the project's Cargo.lock has not; to mend it:\n{}",
+            stray.join(", "),
+            remedy(folder, &stray, may)
         );
-        println!("tests/{}: {} locked packages, all as in the project", proof.0, theirs.len());
+        println!(
+            "{folder}: {} locked packages, what it shares with the project as in the project",
+            theirs.len()
+        );
     }
     Ok(Outcome::Passed)
+}
+
+/// Packages of a lock file that differ from ours.
+fn stray(theirs: &BTreeSet<String>, ours: &BTreeSet<String>, may: May) -> Vec<String> {
+    let name = |package: &String| package.split(' ').next().unwrap_or_default().to_owned();
+    let known: BTreeSet<String> = ours.iter().map(name).collect();
+    let counts = |package: &&String| may == May::TheSame || known.contains(&name(package));
+    theirs.difference(ours).filter(counts).cloned().collect()
+}
+
+fn remedy(folder: &str, stray: &[String], may: May) -> String {
+    match may {
+        May::TheSame => {
+            format!("cp Cargo.lock {folder}/ && cargo update --workspace --manifest-path {folder}/Cargo.toml")
+        }
+        May::More => {
+            let name = stray.first().and_then(|package| package.split(' ').next()).unwrap_or_default();
+            format!(
+                "cargo update --manifest-path {folder}/Cargo.toml {name} --precise VERSION, one that Cargo.lock has"
+            )
+        }
+    }
 }
 
 /// `name version` of every package of a lock file that comes from a registry.
@@ -53,5 +94,20 @@ mod tests {
                     [[package]]\nname = \"libm\"\nversion = \"0.2.16\"\nsource = \"registry+x\"\n\n\
                     [[package]]\nname = \"uchain-core\"\nversion = \"0.1.0\"\n";
         assert_eq!(registry_packages(lock).into_iter().collect::<Vec<_>>(), ["libm 0.2.16"]);
+    }
+
+    #[test]
+    fn a_package_that_both_have_has_to_be_one_of_the_projects_versions() {
+        let set = |packages: &[&str]| packages.iter().map(ToString::to_string).collect();
+        let ours = set(&["libm 0.2.16", "syn 2.0.1", "syn 3.0.1"]);
+        let same = set(&["libm 0.2.16", "syn 2.0.1"]);
+        assert!(stray(&same, &ours, May::TheSame).is_empty() && stray(&same, &ours, May::More).is_empty());
+        let other = set(&["libm 0.2.15", "syn 3.0.1"]);
+        for may in [May::TheSame, May::More] {
+            assert_eq!(stray(&other, &ours, may), ["libm 0.2.15"], "the control");
+        }
+        let more = set(&["cortex-m-rt 0.7.7", "libm 0.2.16"]);
+        assert_eq!(stray(&more, &ours, May::TheSame), ["cortex-m-rt 0.7.7"]);
+        assert!(stray(&more, &ours, May::More).is_empty());
     }
 }

@@ -4,6 +4,7 @@ mod cargo;
 mod digest;
 mod examples;
 mod features;
+mod firmware;
 mod libm;
 mod locks;
 mod no_std;
@@ -36,6 +37,9 @@ pub(crate) enum Outcome {
 const NO_STD: Proof = Proof("no_std");
 /// Links the simulation without its heavy rooms.
 const LIBM_ONLY: Proof = Proof("libm_only");
+
+/// Programs for the drone's microcontroller.
+const FIRMWARE: Proof = Proof("firmware");
 
 /// All steps, in order.
 pub(crate) const STEPS: &[Step] = &[
@@ -90,6 +94,11 @@ pub(crate) const STEPS: &[Step] = &[
         name: "stranger",
         about: "a package elsewhere, with path dependencies only, builds and runs the examples of every seam",
         run: examples::build_elsewhere,
+    },
+    Step {
+        name: "firmware",
+        about: "what flies on the drone, on the emulated chip of a drone: the same bits, within its budgets",
+        run: firmware::flies_on_the_chip,
     },
     Step {
         name: "digest",
