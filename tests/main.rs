@@ -12,6 +12,8 @@ mod explore;
 mod exploring;
 /// Values at the ends of their ranges are flown like any other.
 mod extremes;
+/// The guide for firmware authors tells what the node does.
+mod guide;
 /// A tick in halves is the tick as a whole.
 mod halves;
 /// All of a run at once, flown or recorded.
