@@ -48,6 +48,7 @@
 //! | [`chain`] | U-Chain: Kalman filter of a link, equalization law (Eq. 12), centering (Eq. 20 and 21), take-off, overrides; [`chain::Node`] composes them | no |
 //! | [`flight`] | the PD law that keeps a quadrotor in the air (Kim 2021, §7.1) | no |
 //! | `explore` | CSSG: stars, frontiers, hubs, targets, levels, graph, strategies. Robots know their own *estimated* poses, their scans and what the others say | yes: feature `alloc` |
+//! | [`wire`] | packets as bytes, 30 at most, and back | no |
 //! | [`mod@params`] | how a law declares its tunables: default, range and meaning in one place, [`params!`] | no |
 //!
 //! # Features
@@ -92,5 +93,6 @@ pub mod chain;
 pub mod explore;
 pub mod flight;
 pub mod params;
+pub mod wire;
 
 pub use bounded::bounded;
