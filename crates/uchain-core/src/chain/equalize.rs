@@ -123,6 +123,8 @@ pub(super) fn spacing(back_loss_db: f32, front_loss_db: f32, params: &EqualizePa
 }
 
 /// Distance at which the model of "inverse-model" has this loss (m); finite for every loss.
+// Once in a program: the exponential is half a kilobyte of flash.
+#[inline(never)]
 fn modelled_m(loss_db: f32, params: &EqualizeParams) -> f32 {
     params.model_d0_m * libm::expf((loss_db / params.model_scale_db).min(50.0))
 }

@@ -98,6 +98,8 @@ impl LinkEnd {
     /// One decision period: a packet steps the filter (Algorithm 1), silence holds it or lets it predict. A
     /// packet whose loss is not finite counts as silence. `own_speed_mps` is the own ground speed; `None` on the ground
     /// at the base.
+    // Once in a program: a node calls it three times, and a copy of the filter for each is flash that nobody gains from.
+    #[inline(never)]
     pub fn hear(
         &mut self,
         heard: Option<&Heard>,

@@ -32,12 +32,19 @@ impl Wall {
     }
 }
 
-/// Lateral speed (m/s) and yaw rate (rad/s) before their limits. Beams of a length of `range_m` or more see
-/// nothing. The law is its own mirror image under a half-turn, so flying backward changes nothing.
-pub(super) fn steer(beams: [f32; 4], range_m: f32, follow: Follow, params: &CenterParams) -> (f32, f32) {
-    let Some((wall, goal_m, _)) = chosen(beams, range_m, follow, params) else { return (0.0, 0.0) };
+/// The walls it steers by; lateral speed (m/s) and yaw rate (rad/s) before their limits. Beams of a length of `range_m` or
+/// more see nothing. The law is its own mirror image under a half-turn, so flying backward changes nothing.
+pub(super) fn steer(
+    beams: [f32; 4],
+    range_m: f32,
+    follow: Follow,
+    params: &CenterParams,
+) -> (Option<Walls>, (f32, f32)) {
+    let Some((wall, goal_m, walls)) = chosen(beams, range_m, follow, params) else {
+        return (None, (0.0, 0.0));
+    };
     let lateral_mps = -wall.side * params.firmware_lateral_per_s * (goal_m - wall.perpendicular_m());
-    (lateral_mps, params.firmware_yaw_radps * wall.misalignment())
+    (Some(walls), (lateral_mps, params.firmware_yaw_radps * wall.misalignment()))
 }
 
 /// The walls it steers by; `None` if it flies blind.
@@ -83,11 +90,11 @@ mod tests {
         let params = CenterParams::default();
         let root2 = core::f32::consts::SQRT_2;
         // 0.3 m from the left wall of a 0.8 m tunnel: 0.1 m off, to the right at 0.2 m/s.
-        let (lateral, yaw) =
+        let (_, (lateral, yaw)) =
             steer([0.3 * root2, 0.5 * root2, 0.3 * root2, 0.5 * root2], TOF_RANGE_M, Follow::Centre, &params);
         assert!((lateral + 0.2).abs() < 1e-5 && yaw == 0.0);
         // 0.3 m from the left wall of a 1.2 m tunnel: the goal is a distance from that wall.
-        let (lateral, _) =
+        let (_, (lateral, _)) =
             steer([0.3 * root2, 0.9 * root2, 0.3 * root2, 0.9 * root2], TOF_RANGE_M, Follow::Centre, &params);
         assert!((lateral + 2.0 * (params.firmware_goal_m - 0.3)).abs() < 1e-5);
     }
@@ -95,12 +102,12 @@ mod tests {
     #[test]
     fn a_side_with_one_blind_beam_is_not_followed_and_blind_it_flies_straight() {
         let params = CenterParams::default();
-        let (_, yaw) = steer([2.0, 0.5, 0.5, 0.6], TOF_RANGE_M, Follow::Centre, &params);
+        let (_, (_, yaw)) = steer([2.0, 0.5, 0.5, 0.6], TOF_RANGE_M, Follow::Centre, &params);
         assert!(
             (yaw - params.firmware_yaw_radps * 0.1 / 0.55).abs() < 1e-5,
             "the right wall recedes: turn left"
         );
-        assert_eq!(steer([2.0; 4], TOF_RANGE_M, Follow::Centre, &params), (0.0, 0.0));
-        assert_eq!(steer([0.0; 4], TOF_RANGE_M, Follow::Centre, &params), (0.0, 0.0));
+        assert_eq!(steer([2.0; 4], TOF_RANGE_M, Follow::Centre, &params), (None, (0.0, 0.0)));
+        assert_eq!(steer([0.0; 4], TOF_RANGE_M, Follow::Centre, &params), (None, (0.0, 0.0)));
     }
 }

@@ -179,10 +179,7 @@ pub(super) fn center_by(
             let walls = paper::walls(beams, follow, params);
             (Some(walls), paper::along(walls, beams, backward, params))
         }
-        CenterLaw::Firmware => {
-            let walls = firmware::walls(beams, range_m, follow, params);
-            (walls, firmware::steer(beams, range_m, follow, params))
-        }
+        CenterLaw::Firmware => firmware::steer(beams, range_m, follow, params),
     };
     let lateral_mps = bounded(lateral, -params.lateral_max_mps, params.lateral_max_mps);
     let yaw_rate_radps = bounded(yaw_rate, -params.yaw_rate_max_radps, params.yaw_rate_max_radps);
