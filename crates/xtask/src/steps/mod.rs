@@ -5,8 +5,10 @@ mod digest;
 mod examples;
 mod features;
 mod firmware;
+mod fuzz;
 mod libm;
 mod locks;
+mod no_panic;
 mod no_std;
 pub(crate) mod python;
 mod rooms;
@@ -35,6 +37,8 @@ pub(crate) enum Outcome {
 
 /// Links `uchain-core` and nothing else.
 const NO_STD: Proof = Proof("no_std");
+/// Links the laws that fly, if none of them can panic.
+const NO_PANIC: Proof = Proof("no_panic");
 /// Links the simulation without its heavy rooms.
 const LIBM_ONLY: Proof = Proof("libm_only");
 
@@ -85,6 +89,12 @@ pub(crate) const STEPS: &[Step] = &[
         about: "uchain-core links without std, system mathematics or, exploration apart, a heap",
         run: no_std::links,
     },
+    Step {
+        name: "no-panic",
+        about: "no law that flies can panic, whatever it is given",
+        run: no_panic::links,
+    },
+    Step { name: "fuzz", about: "what fuzzing has found, without a fuzzer", run: fuzz::replay },
     Step {
         name: "libm",
         about: "programs import no mathematics from the system if they ask so, and keep theirs if not",

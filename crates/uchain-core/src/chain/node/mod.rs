@@ -1,6 +1,7 @@
 //! A UAV of the chain: waits, takes off, and flies by the laws (Laclau 2021, Algorithm 1 and §4.3).
 
 mod brain;
+mod check;
 mod levelling;
 #[cfg(test)]
 mod tests;

@@ -5,8 +5,8 @@ use std::{vec, vec::Vec};
 
 use super::{
     super::{
-        BASE_ID, Brain, Doing, Explanation, Heard, Launch, LaunchHold, Override, PendingLaunch, PilotInput,
-        Tof, WallSide, Walls, equalize,
+        BASE_ID, Brain, CenterLaw, Doing, Explanation, Heard, Launch, LaunchHold, Override, PendingLaunch,
+        PilotInput, SpeedLaw, Tof, WallSide, Walls, equalize,
     },
     *,
 };
@@ -78,11 +78,27 @@ proptest! {
     }
 
     #[test]
-    fn whatever_is_wished_is_bounded_and_a_number(all in observations(), wish_mps in prop::num::f32::ANY) {
-        let mut node = Node::new(Role::Relay, NodeParams::default());
+    fn whatever_is_seen_or_wished_a_command_is_a_number_within_its_limits(
+        all in observations(), wish_mps in prop::num::f32::ANY, is_head in any::<bool>(),
+        law in prop::sample::select(vec![CenterLaw::Wall, CenterLaw::Paper, CenterLaw::Firmware]),
+        speed in prop::sample::select(vec![SpeedLaw::Lipschitz, SpeedLaw::InverseModel, SpeedLaw::BangBang]),
+    ) {
+        let params = NodeParams {
+            center: CenterParams { law, ..CenterParams::default() },
+            equalize: EqualizeParams { law: speed, spacing: true, ..EqualizeParams::default() },
+            ..NodeParams::default()
+        };
+        let mut node = Node::new(if is_head { Role::Head } else { Role::Relay }, params.clone());
+        let mut led = node.clone();
         for seen in &all {
-            let forward_mps = in_halves(&mut node, seen, |_| wish_mps).forward_mps;
-            prop_assert!(forward_mps.abs() <= 0.3, "{}", forward_mps);
+            for command in [node.decide(seen), in_halves(&mut led, seen, |_| wish_mps)] {
+                prop_assert!(command.forward_mps.abs() <= 0.3, "{command:?}");
+                prop_assert!(command.lateral_mps.abs() <= params.center.lateral_max_mps, "{command:?}");
+                prop_assert!(command.yaw_rate_radps.abs() <= params.center.yaw_rate_max_radps, "{command:?}");
+            }
+            let (back, front) = (node.estimates().back, node.estimates().front);
+            let believed = [back.filtered_db, back.raw_db, front.filtered_db, front.raw_db];
+            prop_assert!(believed.into_iter().flatten().all(f32::is_finite), "{believed:?}");
         }
     }
 }

@@ -1,0 +1,9 @@
+//! Whatever a drone may hear or measure, from bytes: the bodies of the fuzz targets.
+//!
+//! `cargo +nightly fuzz run node --features libfuzzer` looks for inputs that break a claim; what it finds goes into
+//! `corpus/`, where the tests of this package replay it without a fuzzer.
+
+mod bytes;
+mod node;
+
+pub use node::node;

@@ -1,0 +1,34 @@
+//! What fuzzing has found, and the inputs that reach farthest, replayed without a fuzzer.
+
+use std::{fs, path::Path};
+
+/// All inputs of a target.
+fn corpus(target: &str) -> Vec<Vec<u8>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus").join(target);
+    let files = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let inputs: Vec<_> = files.map(|file| fs::read(file.unwrap().path()).unwrap()).collect();
+    assert!(inputs.len() > 20, "{}: {} inputs", folder.display(), inputs.len());
+    inputs
+}
+
+/// Bytes of a generator that needs no crate: SplitMix64.
+fn drawn(seed: u64, length: usize) -> Vec<u8> {
+    let mut state = seed;
+    let mut draw = || {
+        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let z = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 56) as u8
+    };
+    (0..length).map(|_| draw()).collect()
+}
+
+#[test]
+fn a_node_keeps_its_limits_whatever_it_sees() {
+    for input in corpus("node") {
+        uchain_fuzz::node(&input);
+    }
+    for seed in 0..20_000 {
+        uchain_fuzz::node(&drawn(seed, 600));
+    }
+}
