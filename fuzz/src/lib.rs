@@ -5,5 +5,7 @@
 
 mod bytes;
 mod node;
+mod wire;
 
 pub use node::node;
+pub use wire::wire;

@@ -32,3 +32,16 @@ fn a_node_keeps_its_limits_whatever_it_sees() {
         uchain_fuzz::node(&drawn(seed, 600));
     }
 }
+
+#[test]
+fn bytes_from_the_radio_are_a_packet_of_numbers_or_none() {
+    for input in corpus("wire") {
+        uchain_fuzz::wire(&input);
+    }
+    for seed in 0..100_000 {
+        let mut bytes = drawn(seed, seed as usize % 40 + 1);
+        // Most with the version that is read on.
+        bytes[0] &= if seed % 4 == 0 { 0xff } else { 1 };
+        uchain_fuzz::wire(&bytes);
+    }
+}

@@ -68,7 +68,12 @@ fn due(takeoff: &mut Takeoff, loss_db: f32, front: &Packet, period_s: f32, param
 }
 
 #[no_panic]
-fn head(guard: &mut HeadGuard, wish_mps: f32, back: &LinkEnd, params: &LinkParams) -> (f32, Option<Override>) {
+fn head(
+    guard: &mut HeadGuard,
+    wish_mps: f32,
+    back: &LinkEnd,
+    params: &LinkParams,
+) -> (f32, Option<Override>) {
     (guard.limit(wish_mps, back, params), guard.reason(back, params))
 }
 
@@ -88,7 +93,8 @@ pub(super) fn all() -> f32 {
     let (x, y, z) = black_box((60.0_f32, 57.0_f32, 0.2_f32));
     let (kalman, link) = black_box((KalmanParams::default(), LinkParams::default()));
     let tof = black_box(Tof { nw_m: 1.0, ne_m: 1.0, sw_m: 0.5, se_m: 1.0 });
-    let steered = centre(&tof, y, black_box(true), black_box(Follow::Left), &black_box(CenterParams::default()));
+    let steered =
+        centre(&tof, y, black_box(true), black_box(Follow::Left), &black_box(CenterParams::default()));
     let mut filter = black_box(start(x, &kalman).or(resume(x, y)));
     if let Some(filter) = &mut filter {
         predict(filter, z, y, &kalman);

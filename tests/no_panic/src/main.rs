@@ -5,7 +5,8 @@
 
 mod laws;
 mod node;
+mod wire;
 
 fn main() {
-    println!("{:?}", (laws::all(), node::all()));
+    println!("{:?}", (laws::all(), node::all(), wire::all()));
 }

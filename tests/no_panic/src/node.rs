@@ -4,8 +4,8 @@ use std::hint::black_box;
 
 use no_panic::no_panic;
 use uchain_core::chain::{
-    Brain as _, Command, Doing, Estimates, Explanation, Heard, Levelling, Node, NodeParams, Observation, Packet,
-    PilotInput, RadioSlot, Role, Tof,
+    Brain as _, Command, Doing, Estimates, Explanation, Heard, Levelling, Node, NodeParams, Observation,
+    Packet, PilotInput, RadioSlot, Role, Tof,
 };
 
 #[no_panic]
