@@ -58,7 +58,7 @@
 //! | feature | what it brings |
 //! |---|---|
 //! | `alloc` | the module `explore`, and boxed brains |
-//! | `serde` | Params can be read from a file |
+//! | `serde` | Params can be read from a file, and what crosses the seams, such as an [`Observation`](chain::Observation), be recorded |
 //! | `schema` | what such a file may hold, as JSON Schema; for hosts only |
 //!
 //! # Conventions

@@ -18,6 +18,7 @@ pub const TOF_RANGE_M: f32 = 2.0;
 
 /// Distances along the four diagonal ToF beams (m); a beam without a return reads its range limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Tof {
     /// Front left, +45° (m).
     pub nw_m: f32,
@@ -46,6 +47,7 @@ pub enum Follow {
 
 /// What a UAV, or the base, says of itself in a packet.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Packet {
     /// Its place in the chain: 0 leads it, larger ones are nearer to the base; [`Packet::BASE_PLACE`] from the base.
     pub place: u16,
@@ -84,6 +86,7 @@ impl Packet {
 
 /// One packet as received.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Heard {
     /// Who sent it: a UAV's id, which it has for life, or [`BASE_ID`].
     pub from: u16,
@@ -95,6 +98,7 @@ pub struct Heard {
 
 /// What the radio brought in one decision period: at most [`HEARD_MAX`] packets, in no order that means anything.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RadioSlot(ArrayVec<Heard, HEARD_MAX>);
 
 impl RadioSlot {
@@ -150,6 +154,7 @@ impl FromIterator<Heard> for RadioSlot {
 
 /// What the pilot of the head asks for: a speed and a wall, nothing else.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PilotInput {
     /// Forward speed, negative backward (m/s).
     pub speed_mps: f32,
@@ -159,6 +164,7 @@ pub struct PilotInput {
 
 /// All a chain node may know at one instant.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Observation {
     /// Its place in the chain, 0 leads it; `None`: what it was told last.
     pub place: Option<u16>,
@@ -176,6 +182,7 @@ pub struct Observation {
 
 /// All a chain node may ask of its body.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Command {
     /// Forward velocity (m/s).
     pub forward_mps: f32,

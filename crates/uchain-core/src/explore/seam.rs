@@ -6,6 +6,7 @@ use super::Sector;
 
 /// A place in the plane, in the team's inertial frame.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Point {
     /// Along the inertial x axis (m).
     pub x_m: f32,
@@ -37,6 +38,7 @@ impl Point {
 
 /// Where a robot believes it is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pose {
     /// Its place.
     pub at: Point,
@@ -46,6 +48,7 @@ pub struct Pose {
 
 /// The name of a node: the j-th of robot i, `q_ij` in Kim 2021, both counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NodeId {
     /// Robot that scanned there.
     pub robot: u16,
@@ -68,6 +71,7 @@ pub struct Observation<'a> {
 
 /// Why a robot flies, or does not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Purpose {
     /// To a new node, along a frontier.
     Explore,
@@ -96,6 +100,7 @@ impl Purpose {
 
 /// What a robot is about to fly, in the same instant as all others.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Target {
     /// Who.
     pub robot: u16,
@@ -113,6 +118,7 @@ pub struct Target {
 
 /// A node as its robot has scanned it, with what is known of it by now.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NodeReport {
     /// Its name.
     pub id: NodeId,
@@ -126,6 +132,7 @@ pub struct NodeReport {
 
 /// Arcs that are no frontiers any more, whatever their mid-points say: flown along, or leading nowhere new.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SpentReport {
     /// The node.
     pub node: NodeId,
@@ -135,6 +142,7 @@ pub struct SpentReport {
 
 /// What one robot says to all that hear it.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Message {
     /// Where it believes it is.
     Pose {
@@ -153,6 +161,7 @@ pub enum Message {
 
 /// All an explorer may ask of its body for one move.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Command {
     /// Where to fly, straight; the place it is at, to stay.
     pub to: Point,

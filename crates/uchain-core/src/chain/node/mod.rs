@@ -18,6 +18,7 @@ pub use levelling::Levelling;
 
 /// What a node does in the chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Role {
     /// The explorer: flies as its pilot asks, as long as its back link holds.
     Head,
@@ -27,6 +28,7 @@ pub enum Role {
 
 /// The Params of every law a node flies by, and what it has to know of its sensors.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NodeParams {
     /// Filter of each link end.
     pub kalman: KalmanParams,

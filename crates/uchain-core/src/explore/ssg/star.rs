@@ -8,6 +8,7 @@ use crate::bounded;
 
 /// What bounds a sector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Label {
     /// A return within `R_s`; −1 in Eq. 1.
     Obstacle,
@@ -30,6 +31,7 @@ impl Label {
 
 /// One entry of the frontier data, `F_q(k)` in Eq. 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sector {
     /// What bounds it.
     pub label: Label,
