@@ -189,7 +189,9 @@ fn explore(
     trace.write(&begins(&name, Some(ALONE)))?;
     alone.iter().try_for_each(|record| trace.write(record))?;
     rows.mission(&name);
-    alone_rows.iter().for_each(|row| rows.explored(row));
+    for row in &alone_rows {
+        rows.explored(row);
+    }
     Ok(())
 }
 

@@ -77,7 +77,7 @@ pub(crate) fn compare(ours: &mut impl Input, theirs: &mut impl Input) -> Result<
     let mut found = Differences::default();
     let mut mission = String::new();
     loop {
-        let pair = (ours.next().map_err(Unlike::Ours)?, theirs.next().map_err(Unlike::Theirs)?);
+        let pair = (ours.read().map_err(Unlike::Ours)?, theirs.read().map_err(Unlike::Theirs)?);
         match pair {
             (None, None) => return Ok(found),
             (Some(Row::Mission(a)), Some(Row::Mission(b))) if a == b => a.clone_into(&mut mission),

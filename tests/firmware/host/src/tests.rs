@@ -15,7 +15,9 @@ fn result(rows: &[Flown]) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut writer = RowWriter::begin(&mut bytes);
     writer.mission("circuit");
-    rows.iter().for_each(|row| writer.flown(row));
+    for row in rows {
+        writer.flown(row);
+    }
     writer.end();
     bytes
 }

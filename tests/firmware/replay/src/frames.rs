@@ -58,12 +58,12 @@ impl<'a, I: Input> Frames<'a, I> {
     ///
     /// # Errors
     /// [`Fault`]: it does not, or is of another version.
-    pub fn open(input: &'a mut I, magic: &[u8; 7]) -> Result<Self, Fault> {
+    pub fn open(input: &'a mut I, magic: [u8; 7]) -> Result<Self, Fault> {
         let fault = |cause| Fault { place: 0, cause };
         let mut head = [0; 8];
         input.read(&mut head).map_err(|Short| fault(Cause::Short))?;
         let [start @ .., got] = head;
-        if start != *magic {
+        if start != magic {
             return Err(fault(Cause::Magic));
         }
         if got != VERSION {
@@ -81,7 +81,7 @@ impl<'a, I: Input> Frames<'a, I> {
     ///
     /// # Errors
     /// [`Fault`]: the file ends before it does, or it is too long.
-    pub fn next(&mut self) -> Result<&[u8], Fault> {
+    pub fn read(&mut self) -> Result<&[u8], Fault> {
         let place = self.count;
         let short = |Short| Fault { place, cause: Cause::Short };
         let mut length = [0; 2];
@@ -119,8 +119,8 @@ impl<'a, I: Input> Frames<'a, I> {
 }
 
 /// Begins a file.
-pub(crate) fn begin(output: &mut impl Output, magic: &[u8; 7]) {
-    output.write(magic);
+pub(crate) fn begin(output: &mut impl Output, magic: [u8; 7]) {
+    output.write(&magic);
     output.write(&[VERSION]);
 }
 

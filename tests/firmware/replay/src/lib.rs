@@ -67,7 +67,7 @@ pub fn replay(
     let mut team = team::Flight::new(plant);
     loop {
         let place = frames.count();
-        let bytes = frames.next()?;
+        let bytes = frames.read()?;
         let record = Record::read(bytes).ok_or(Fault { place, cause: Cause::Malformed })?;
         let done = match record {
             Record::Chain { name, uavs } => {

@@ -211,9 +211,9 @@ impl<'a, M: Meter> Metered<'a, M> {
 
     /// The same, with the instructions.
     pub(crate) fn timed<T>(&mut self, call: Call, make: impl FnOnce() -> T) -> (T, u32) {
-        let (made, instructions) = self.meter.call(call, make);
-        self.tally.add(call, instructions);
-        (made, instructions)
+        let timed = self.meter.call(call, make);
+        self.tally.add(call, timed.1);
+        timed
     }
 }
 

@@ -9,7 +9,7 @@ use crate::{
 };
 
 /// How a result begins, before its version.
-pub const RESULT_MAGIC: &[u8; 7] = b"UCFLOWN";
+pub const RESULT_MAGIC: [u8; 7] = *b"UCFLOWN";
 
 /// The bits of what is absent: a number that is none, and that no arithmetic gives.
 pub const NONE: u32 = u32::MAX;
@@ -169,7 +169,8 @@ impl<'a, O: Output> RowWriter<'a, O> {
 
     /// A mission begins; of a long name only the beginning is written.
     pub fn mission(&mut self, name: &str) {
-        let end = (0..=NAME_MAX.min(name.len())).rev().find(|&end| name.get(..end).is_some()).unwrap_or_default();
+        let end =
+            (0..=NAME_MAX.min(name.len())).rev().find(|&end| name.get(..end).is_some()).unwrap_or_default();
         let name = name.as_bytes().get(..end).unwrap_or_default();
         let mut record = [MISSION; 1 + NAME_MAX];
         for (place, byte) in record.iter_mut().skip(1).zip(name) {
@@ -228,11 +229,11 @@ impl<'a, I: Input> RowReader<'a, I> {
     ///
     /// # Errors
     /// [`Fault`]: what cannot be read.
-    pub fn next(&mut self) -> Result<Option<Row<'_>>, Fault> {
+    pub fn read(&mut self) -> Result<Option<Row<'_>>, Fault> {
         let Some(mut frames) = self.frames.take() else { return Ok(None) };
         let place = frames.count();
         let malformed = Fault { place, cause: Cause::Malformed };
-        let record = frames.next()?;
+        let record = frames.read()?;
         if let [END, rows @ ..] = record {
             let rows = rows.try_into().map(u32::from_le_bytes).map_err(|_| malformed)?;
             frames.end(rows)?;

@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// How a trace begins, before its version.
-pub const TRACE_MAGIC: &[u8; 7] = b"UCTRACE";
+pub const TRACE_MAGIC: [u8; 7] = *b"UCTRACE";
 
 /// Most sectors of a recorded scan.
 #[cfg(feature = "explore")]

@@ -77,7 +77,7 @@ fn flown(mut trace: &[u8], plant: Plant) -> Result<Vec<u8>, Fault> {
 fn rows(mut result: &[u8]) -> Vec<[u32; FLOWN.len()]> {
     let mut reader = RowReader::open(&mut result).unwrap();
     let mut rows = Vec::new();
-    while let Some(row) = reader.next().unwrap() {
+    while let Some(row) = reader.read().unwrap() {
         if let Row::Flown(words) = row {
             rows.push(words.iter().collect::<Vec<_>>().try_into().unwrap());
         }
