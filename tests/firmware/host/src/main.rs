@@ -13,7 +13,7 @@ use std::{
     process::ExitCode,
 };
 
-use replay::{Input, Plant, Short, Unmetered, replay};
+use replay::{Input, Output, Plant, Short, Unmetered, replay};
 
 use compare::{Differences, compare};
 
@@ -25,6 +25,16 @@ struct Bytes<R>(R);
 impl<R: Read> Input for Bytes<R> {
     fn read(&mut self, into: &mut [u8]) -> Result<(), Short> {
         self.0.read_exact(into).map_err(|_| Short)
+    }
+}
+
+/// Bytes in memory that do not count as taken by what is flown.
+#[derive(Default)]
+struct Uncounted(Vec<u8>);
+
+impl Output for Uncounted {
+    fn write(&mut self, bytes: &[u8]) {
+        allocation_counter::opt_out(|| self.0.extend_from_slice(bytes));
     }
 }
 
@@ -60,12 +70,16 @@ fn run(args: &[String]) -> Result<Differences, String> {
     if results.is_empty() {
         return Err(USAGE.to_owned());
     }
-    let mut ours = Vec::new();
-    replay(&mut open(trace)?, &mut ours, &mut Unmetered, plant)
-        .map_err(|fault| format!("{trace}: {fault}"))?;
+    let (mut input, mut ours) = (open(trace)?, Uncounted::default());
+    let mut flown = None;
+    let heap = allocation_counter::measure(|| {
+        flown = Some(replay(&mut input, &mut ours, &mut Unmetered, plant));
+    });
+    flown.transpose().map_err(|fault| format!("{trace}: {fault}"))?;
+    println!("{trace}: {} bytes of the host's heap at most", heap.bytes_max);
     let mut all = Differences::default();
     for result in results {
-        let found = compare(&mut ours.as_slice(), &mut open(result)?)
+        let found = compare(&mut ours.0.as_slice(), &mut open(result)?)
             .map_err(|unlike| format!("{result}: {unlike}"))?;
         println!(
             "{result}: {} ticks, {} differences: {} commands, {} states",
