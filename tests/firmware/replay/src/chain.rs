@@ -18,6 +18,8 @@ pub const UAVS_MAX: usize = 8;
 /// The UAVs of a chain.
 pub(crate) struct Chain {
     uavs: [Option<Uav>; UAVS_MAX],
+    /// How many of them there are.
+    count: usize,
     plant: Plant,
 }
 
@@ -29,22 +31,20 @@ struct Uav {
 
 impl Chain {
     pub(crate) fn new(plant: Plant) -> Self {
-        Self { uavs: [const { None }; UAVS_MAX], plant }
+        Self { uavs: [const { None }; UAVS_MAX], count: 0, plant }
     }
 
     /// A chain of so many, none of which is known yet.
     pub(crate) fn begin(&mut self, uavs: u8) -> Result<(), Cause> {
         self.uavs = [const { None }; UAVS_MAX];
-        if (1..=UAVS_MAX).contains(&usize::from(uavs)) {
-            Ok(())
-        } else {
-            Err(Cause::Crew { got: u16::from(uavs) })
-        }
+        self.count = usize::from(uavs);
+        if (1..=UAVS_MAX).contains(&self.count) { Ok(()) } else { Err(Cause::Crew { got: u16::from(uavs) }) }
     }
 
     /// One of them, on the ground.
     pub(crate) fn join(&mut self, uav: u8, role: Role, params: NodeParams) -> Result<(), Cause> {
-        let place = self.uavs.get_mut(usize::from(uav)).ok_or(Cause::Order)?;
+        let uavs = self.uavs.get_mut(..self.count).unwrap_or_default();
+        let place = uavs.get_mut(usize::from(uav)).ok_or(Cause::Order)?;
         *place = Some(Uav { node: Node::new(role, params.clone()), params });
         Ok(())
     }

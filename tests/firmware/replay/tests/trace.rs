@@ -168,7 +168,7 @@ fn a_record_that_nothing_announces_is_a_fault_that_says_where() {
     };
     let order = Fault { place: 1, cause: Cause::Order };
     assert_eq!(only(&Record::Seen { tick: 0, uav: 0, seen: Observation::default() }), order);
-    let stranger = Record::Uav { uav: 200, role: Role::Relay, params: NodeParams::default() };
+    let stranger = Record::Uav { uav: 1, role: Role::Relay, params: NodeParams::default() };
     assert_eq!(only(&stranger), order);
     assert_eq!(only(&Record::Rules { round: 0 }), order);
     assert_eq!(only(&Record::Chain { name: "", uavs: 9 }).cause, Cause::Crew { got: 9 });
