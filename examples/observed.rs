@@ -289,7 +289,9 @@ impl Mates {
 /// What robots have said is heard by all.
 fn deliver(said: Vec<(u16, Message)>, explorers: &mut [Explorer], events: &mut Vec<Event>) {
     for (speaker, message) in said {
-        explorers.iter_mut().for_each(|explorer| explorer.hear(&message));
+        for explorer in &mut *explorers {
+            explorer.hear(&message);
+        }
         events.push(Event::heard(speaker, message));
     }
 }
