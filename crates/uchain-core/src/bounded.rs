@@ -23,11 +23,24 @@ pub fn bounded<T: PartialOrd>(value: T, low: T, high: T) -> T {
     if value > high { high } else { value }
 }
 
+/// The smaller of two numbers, the first one where they are equal, and the one that is a number where the other is none.
+/// `f32::min` leaves open which of two zeros it returns, and is a call of a dozen instructions on a Cortex-M4F.
+#[inline]
+pub(crate) fn smaller(a: f32, b: f32) -> f32 {
+    if a <= b || b.is_nan() { a } else { b }
+}
+
+/// The larger of two numbers, in the same way.
+#[inline]
+pub(crate) fn larger(a: f32, b: f32) -> f32 {
+    if a >= b || b.is_nan() { a } else { b }
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
-    use super::bounded;
+    use super::{bounded, larger, smaller};
 
     /// Numbers at which comparisons and roundings turn.
     const EDGES: [f32; 12] = [
@@ -64,6 +77,13 @@ mod tests {
         }
 
         #[test]
+        fn the_smaller_and_the_larger_are_those_of_the_language(a in edge_or_any(), b in edge_or_any()) {
+            let alike = |ours: f32, theirs: f32| ours == theirs || (ours.is_nan() && theirs.is_nan());
+            prop_assert!(alike(smaller(a, b), a.min(b)), "{} {}", smaller(a, b), a.min(b));
+            prop_assert!(alike(larger(a, b), a.max(b)), "{} {}", larger(a, b), a.max(b));
+        }
+
+        #[test]
         fn whatever_the_bounds_a_number_is_no_more_than_the_upper_one_and_no_number_is_made_up(
             value in edge_or_any(), low in edge_or_any(), high in edge_or_any(),
         ) {
@@ -82,6 +102,9 @@ mod tests {
         assert_eq!(bounded(0.0_f32, -1.0, -0.0).to_bits(), 0.0_f32.to_bits());
         for value in [-1.0, 1.5, 3.0] {
             assert_eq!(bounded(value, 2.0, 1.0), 1.0);
+        }
+        for (a, b) in [(0.0_f32, -0.0), (-0.0, 0.0)] {
+            assert_eq!((smaller(a, b).to_bits(), larger(a, b).to_bits()), (a.to_bits(), a.to_bits()));
         }
         assert_eq!((bounded(3_u32, 4, 5), bounded(6_u32, 4, 5), bounded(6_u32, 5, 4)), (4, 5, 4));
     }

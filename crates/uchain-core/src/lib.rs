@@ -96,3 +96,4 @@ pub mod params;
 pub mod wire;
 
 pub use bounded::bounded;
+use bounded::{larger, smaller};

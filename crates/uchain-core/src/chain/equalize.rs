@@ -1,6 +1,6 @@
 //! The equalization laws: move toward the worse link (Laclau 2021, Eq. 12, Algorithm 1).
 
-use crate::bounded;
+use crate::{bounded, smaller};
 
 /// How an imbalance becomes a speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -112,10 +112,13 @@ pub fn equalize(back_loss_db: f32, front_loss_db: f32, params: &EqualizeParams) 
 
 /// The speed of backing away from a neighbour that is too near (m/s), the one toward the head first.
 pub(super) fn spacing(back_loss_db: f32, front_loss_db: f32, params: &EqualizeParams) -> Option<f32> {
-    let speed_mps = params.spacing_mps.min(params.v_max_mps);
-    if params.spacing && front_loss_db < params.spacing_db {
+    if !params.spacing {
+        return None;
+    }
+    let speed_mps = smaller(params.spacing_mps, params.v_max_mps);
+    if front_loss_db < params.spacing_db {
         Some(-speed_mps)
-    } else if params.spacing && back_loss_db < params.spacing_db {
+    } else if back_loss_db < params.spacing_db {
         Some(speed_mps)
     } else {
         None
@@ -126,7 +129,7 @@ pub(super) fn spacing(back_loss_db: f32, front_loss_db: f32, params: &EqualizePa
 // Once in a program: the exponential is half a kilobyte of flash.
 #[inline(never)]
 fn modelled_m(loss_db: f32, params: &EqualizeParams) -> f32 {
-    params.model_d0_m * libm::expf((loss_db / params.model_scale_db).min(50.0))
+    params.model_d0_m * libm::expf(smaller(loss_db / params.model_scale_db, 50.0))
 }
 
 #[cfg(test)]

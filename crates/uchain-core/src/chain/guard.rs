@@ -1,6 +1,7 @@
 //! What a bad or lost link makes a UAV do, whatever its law wishes (Laclau 2021, §4.3).
 
 use super::{LinkEnd, LinkParams};
+use crate::smaller;
 
 /// Why a UAV flies otherwise than its law, or its pilot, wishes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,9 +68,9 @@ impl HeadGuard {
         let stop = self.stop.over(loss_db, params.head_stop_db, params.hysteresis_db);
         let retreat = self.back.over(loss_db, params.head_back_db, params.hysteresis_db);
         if retreat || back.is_lost(params) {
-            wish_mps.min(-params.retreat_mps)
+            smaller(wish_mps, -params.retreat_mps)
         } else if stop || back.loss_db().is_none() {
-            wish_mps.min(0.0)
+            smaller(wish_mps, 0.0)
         } else {
             wish_mps
         }

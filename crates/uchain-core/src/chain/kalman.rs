@@ -1,6 +1,6 @@
 //! Scalar Kalman filter of a link's loss, driven by optic flow (Laclau 2021, Eq. 16–19).
 
-use crate::bounded;
+use crate::{bounded, smaller};
 
 crate::params! {
     /// Noise and model of [`ScalarKalman`].
@@ -68,8 +68,8 @@ impl ScalarKalman {
         let u = if separating_mps.is_finite() { separating_mps } else { 0.0 };
         let lead_db = params.flow_gain_db_per_m * period_s * u;
         self.loss_db = bounded(self.loss_db + lead_db, -LOSS_LIMIT_DB, LOSS_LIMIT_DB);
-        self.variance_db2 =
-            (self.variance_db2 + params.process_variance_db2_per_s * period_s).min(VARIANCE_LIMIT_DB2);
+        let grown_db2 = self.variance_db2 + params.process_variance_db2_per_s * period_s;
+        self.variance_db2 = smaller(grown_db2, VARIANCE_LIMIT_DB2);
     }
 
     /// Corrects the estimate with a sample (Eq. 19). A non-finite sample counts as none.

@@ -5,7 +5,7 @@ mod paper;
 mod wall;
 
 use super::{Follow, Tof, WallSide};
-use crate::bounded;
+use crate::{bounded, smaller};
 
 /// Whose centering.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -184,10 +184,10 @@ pub(super) fn center_by(
     let lateral_mps = bounded(lateral, -params.lateral_max_mps, params.lateral_max_mps);
     let yaw_rate_radps = bounded(yaw_rate, -params.yaw_rate_max_radps, params.yaw_rate_max_radps);
 
-    let nearest_ahead = lead_left.min(lead_right);
+    let nearest_ahead = smaller(lead_left, lead_right);
     let speed_share =
         bounded((nearest_ahead - params.slow_from_m) / params.slow_over_m, params.slow_floor, 1.0);
-    let pushed_by = push(nw.min(sw), ne.min(se), params);
+    let pushed_by = push(smaller(nw, sw), smaller(ne, se), params);
     let lateral_mps = match pushed_by {
         None => lateral_mps,
         Some(WallSide::Left) => -params.push_mps,
@@ -198,7 +198,7 @@ pub(super) fn center_by(
 
 /// Front left, front right, rear left, rear right (m).
 fn beams_of(tof: &Tof, range_m: f32) -> [f32; 4] {
-    let seen = |d: f32| if d >= 0.0 { d.min(range_m) } else { range_m };
+    let seen = |d: f32| if d >= 0.0 { smaller(d, range_m) } else { range_m };
     [seen(tof.nw_m), seen(tof.ne_m), seen(tof.sw_m), seen(tof.se_m)]
 }
 

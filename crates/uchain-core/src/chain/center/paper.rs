@@ -3,6 +3,7 @@
 use nalgebra::{Matrix2x4, Vector2, Vector4};
 
 use super::{CenterParams, Follow, Walls};
+use crate::larger;
 
 /// Lateral speed (m/s) and yaw rate (rad/s) before their limits, of the beams (NW, NE, SW, SE) (m): Eq. 20 between both
 /// walls, Eq. 21 along one.
@@ -14,7 +15,7 @@ pub(super) fn along(walls: Walls, beams: [f32; 4], backward: bool, params: &Cent
 
 /// How far a side's beams differ, relative to their mean (1).
 pub(super) fn ratio(front_m: f32, rear_m: f32) -> f32 {
-    (front_m - rear_m).abs() / (0.5 * (front_m + rear_m)).max(1.0e-6)
+    (front_m - rear_m).abs() / larger(0.5 * (front_m + rear_m), 1.0e-6)
 }
 
 /// The law as a linear map of the beams (NW, NE, SW, SE), and what to subtract: rows ẏ and ω.

@@ -6,7 +6,7 @@
 //! comes nearer, and a way that is closed ahead on both sides always makes it turn.
 
 use super::{CenterParams, Follow, Walls, paper};
-use crate::bounded;
+use crate::{bounded, smaller};
 
 /// The two beams of one side (m).
 #[derive(Debug, Clone, Copy)]
@@ -17,7 +17,7 @@ struct Side {
 
 impl Side {
     fn nearest_m(self) -> f32 {
-        self.front_m.min(self.rear_m)
+        smaller(self.front_m, self.rear_m)
     }
 
     fn sum_m(self) -> f32 {
@@ -81,7 +81,7 @@ fn chosen(left: Side, right: Side, backward: bool, follow: Follow, params: &Cent
 /// is near, and no farther than the largest distance.
 fn toward(wall: Side, other: Side, params: &CenterParams) -> (f32, f32) {
     let wall_m = wall.nearest_m();
-    let keep_m = (0.5 * (wall_m + other.nearest_m())).min(params.follow_distance_m);
+    let keep_m = smaller(0.5 * (wall_m + other.nearest_m()), params.follow_distance_m);
     let max_mps = params.follow_lateral_max_mps;
     let lateral_mps = bounded(params.follow_lateral_per_s * (wall_m - keep_m), -max_mps, max_mps);
     (lateral_mps, 2.0 * params.c_r_rad_per_s_m * (wall.front_m - wall.rear_m))

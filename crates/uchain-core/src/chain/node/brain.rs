@@ -11,8 +11,8 @@ use crate::bounded;
 
 impl Brain for Node {
     fn decide(&mut self, seen: &Observation) -> Command {
-        let level_mps = match self.prepare(seen) {
-            Some(asked) => equalize(asked.back_db, asked.front_db, &self.params.equalize),
+        let level_mps = match self.ask(seen) {
+            Some((back_db, front_db)) => equalize(back_db, front_db, &self.params.equalize),
             None => 0.0,
         };
         self.conclude(seen, level_mps)

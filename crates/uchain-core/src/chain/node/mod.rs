@@ -12,7 +12,7 @@ use super::{
     TakeoffParams,
     center::{SteeredBy, center_by},
 };
-use crate::bounded;
+use crate::{bounded, larger};
 
 pub use levelling::Levelling;
 
@@ -193,6 +193,21 @@ impl Node {
     /// }
     /// ```
     pub fn prepare(&mut self, seen: &Observation) -> Option<Levelling> {
+        let (back_db, front_db) = self.ask(seen)?;
+        Some(Levelling {
+            back_db,
+            front_db,
+            back: estimate(&self.back),
+            front: estimate(&self.front),
+            place: self.place,
+            ground_speed_mps: seen.ground_speed_mps,
+            tof: seen.tof,
+        })
+    }
+
+    /// [`Node::prepare`] without what [`equalize`](super::equalize) does not look at: the losses of the two links, the one
+    /// toward the base first (dB).
+    fn ask(&mut self, seen: &Observation) -> Option<(f32, f32)> {
         if let Some(place) = seen.place {
             self.place = place;
         }
@@ -225,7 +240,7 @@ impl Node {
 
     /// One decision period in the air: filters both links. The head has its speed then; a relay that has heard both links
     /// asks for one, until then it stays.
-    fn listen(&mut self, radio: &RadioSlot, seen: &Observation) -> Option<Levelling> {
+    fn listen(&mut self, radio: &RadioSlot, seen: &Observation) -> Option<(f32, f32)> {
         let p = &self.params;
         let period_s = p.equalize.decision_s;
         let own_mps = seen.ground_speed_mps.filter(|speed_mps| speed_mps.is_finite()).unwrap_or(0.0);
@@ -242,18 +257,10 @@ impl Node {
                 let ahead = self.front.neighbour();
                 self.follow = ahead.follow;
                 let own_db = both_db.map_or(0.0, |(back_db, front_db)| (front_db - back_db).abs());
-                self.worst_imbalance_db = own_db.max(ahead.imbalance_db);
-                if let Some((back_db, front_db)) = both_db {
+                self.worst_imbalance_db = larger(own_db, ahead.imbalance_db);
+                if both_db.is_some() {
                     self.is_asking = true;
-                    return Some(Levelling {
-                        back_db,
-                        front_db,
-                        back: estimate(&self.back),
-                        front: estimate(&self.front),
-                        place: self.place,
-                        ground_speed_mps: seen.ground_speed_mps,
-                        tof: seen.tof,
-                    });
+                    return both_db;
                 }
                 self.wish_mps = 0.0;
                 self.relay_guard.limit(0.0, &self.back, &self.front, &p.link)
