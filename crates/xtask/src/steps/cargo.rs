@@ -2,12 +2,15 @@
 
 use anyhow::Result;
 
-use super::{FIRMWARE, LIBM_ONLY, NO_STD, Outcome};
-use crate::house::{House, run};
+use super::{LIBM_ONLY, NO_STD, Outcome};
+use crate::{
+    firmware,
+    house::{House, run},
+};
 
 pub(super) fn fmt(house: &House) -> Result<Outcome> {
     run(&mut house.cargo("fmt --all --check"))?;
-    for proof in [NO_STD, LIBM_ONLY, FIRMWARE] {
+    for proof in [NO_STD, LIBM_ONLY, firmware::WORKSPACE] {
         run(&mut house.cargo_in(proof, "fmt --all --check"))?;
     }
     Ok(Outcome::Passed)

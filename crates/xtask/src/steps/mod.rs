@@ -42,9 +42,6 @@ const NO_PANIC: Proof = Proof("no_panic");
 /// Links the simulation without its heavy rooms.
 const LIBM_ONLY: Proof = Proof("libm_only");
 
-/// Programs for the drone's microcontroller.
-const FIRMWARE: Proof = Proof("firmware");
-
 /// All steps, in order.
 pub(crate) const STEPS: &[Step] = &[
     Step { name: "fmt", about: "rustfmt changes nothing", run: cargo::fmt },

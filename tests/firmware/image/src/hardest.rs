@@ -118,8 +118,8 @@ pub fn fly() -> Hardest {
 /// other's work.
 fn one(node: &mut Node, seen: &Observation, most: &mut Hardest) {
     let mut copy = black_box(node.clone());
-    let (_, say_stack) = depth_of(|| black_box(say(&copy, black_box(seen))));
-    let (_, decide_stack) = depth_of(|| black_box(decide(&mut copy, black_box(seen))));
+    let (_, say_stack) = depth_of::<1024, _>(|| black_box(say(&copy, black_box(seen))));
+    let (_, decide_stack) = depth_of::<1024, _>(|| black_box(decide(&mut copy, black_box(seen))));
     let (_, instructions) = cost_of(|| black_box(decide(node, black_box(seen))));
     most.instructions = most.instructions.max(instructions);
     most.decide_stack = most.decide_stack.max(decide_stack);

@@ -1,6 +1,10 @@
 //! The host behind the debugger, by Arm's semihosting: its files, its console, the words the program was started with.
 
-use core::{arch::asm, ffi::c_void, fmt};
+use core::{
+    arch::asm,
+    ffi::{CStr, c_void},
+    fmt,
+};
 
 const OPEN: usize = 0x01;
 const CLOSE: usize = 0x02;
@@ -52,7 +56,7 @@ pub enum Mode {
 
 impl File {
     /// `None` if the host cannot open it. The name ends in a NUL of its own.
-    pub fn open(name: &core::ffi::CStr, mode: Mode) -> Option<Self> {
+    pub fn open(name: &CStr, mode: Mode) -> Option<Self> {
         let handle = ask_block(OPEN, &mut [name.as_ptr() as usize, mode as usize, name.to_bytes().len()]);
         (handle != usize::MAX).then_some(Self { handle })
     }
@@ -75,49 +79,61 @@ impl Drop for File {
     }
 }
 
-/// The words the program was started with, its own name first, in a line; empty if the host does not tell.
-pub fn command_line(into: &mut [u8]) -> &str {
-    let mut block = [into.as_mut_ptr() as usize, into.len()];
+/// The words the program was started with, its own name first, each with a NUL behind it; none if the host does not tell.
+pub fn words(room: &mut [u8]) -> impl Iterator<Item = &CStr> {
+    room.fill(0);
+    // The last byte stays what it is: the NUL behind the last word.
+    let mut block = [room.as_mut_ptr() as usize, room.len().saturating_sub(1)];
     let told = ask_block(COMMAND_LINE, &mut block) == 0;
-    let length = if told { block[1].min(into.len()) } else { 0 };
-    core::str::from_utf8(&into[..length]).unwrap_or_default().trim_end_matches('\0')
-}
-
-/// The host's console. It takes whole lines: a request costs far more than a byte.
-pub struct Console;
-
-impl Console {
-    /// Prints a line; what does not fit 160 bytes is cut.
-    pub fn line(words: fmt::Arguments<'_>) {
-        let mut line = Line { bytes: [0; 161], length: 0 };
-        let _ = fmt::write(&mut line, words);
-        line.bytes[line.length] = b'\n';
-        if let Some(mut console) = File::open(c":tt", Mode::Write) {
-            console.write(&line.bytes[..=line.length]);
-        }
+    let (line, _) = room.split_at_mut(if told { room.len().min(block[1] + 1) } else { 0 });
+    for byte in line.iter_mut().filter(|byte| **byte == b' ') {
+        *byte = 0;
     }
+    line.split_inclusive(|byte| *byte == 0).filter_map(|word| CStr::from_bytes_with_nul(word).ok())
 }
 
-struct Line {
-    bytes: [u8; 161],
+/// Longest line that goes out in one request: a request costs far more than a byte.
+const LINE_MAX: usize = 160;
+
+/// The host's console.
+struct Console {
+    file: Option<File>,
+    line: [u8; LINE_MAX],
     length: usize,
 }
 
-impl fmt::Write for Line {
+impl Console {
+    fn flush(&mut self) {
+        if let Some(file) = &mut self.file {
+            file.write(&self.line[..self.length]);
+        }
+        self.length = 0;
+    }
+}
+
+impl fmt::Write for Console {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         for &byte in text.as_bytes() {
-            if self.length == 160 {
-                return Err(fmt::Error);
+            if self.length == LINE_MAX {
+                self.flush();
             }
-            self.bytes[self.length] = byte;
+            self.line[self.length] = byte;
             self.length += 1;
         }
         Ok(())
     }
 }
 
+/// Prints a line, or several.
+pub fn print(words: fmt::Arguments<'_>) {
+    let mut console = Console { file: File::open(c":tt", Mode::Write), line: [0; LINE_MAX], length: 0 };
+    let _ = fmt::write(&mut console, words);
+    let _ = fmt::Write::write_str(&mut console, "\n");
+    console.flush();
+}
+
 /// Prints a line on the host's console.
 #[macro_export]
 macro_rules! say {
-    ($($words:tt)*) => { $crate::host::Console::line(format_args!($($words)*)) };
+    ($($words:tt)*) => { $crate::host::print(format_args!($($words)*)) };
 }

@@ -4,6 +4,7 @@
 #![no_std]
 
 pub mod clock;
+pub mod flight;
 pub mod hardest;
 pub mod host;
 pub mod stack;

@@ -3,14 +3,12 @@
 use core::arch::asm;
 
 const PAINT: u32 = 0xdead_beef;
-/// What is painted (words). Twice the budget and more: a call that goes through all of it is told as that.
-const WORDS: usize = 1024;
-
-/// What a call returns, and the bytes it and whatever it calls took below the caller's own.
+/// What a call returns, and the bytes it and whatever it calls took below the caller's own: so many are painted, and a
+/// call that goes through all of them is told as that.
 ///
 /// No interrupt is on: nobody else writes there.
 #[inline(never)]
-pub fn depth_of<T>(call: impl FnOnce() -> T) -> (T, usize) {
+pub fn depth_of<const BYTES: usize, T>(call: impl FnOnce() -> T) -> (T, usize) {
     let top: usize;
     // SAFETY: writes below the stack pointer, where nothing lives until the next call, and within RAM: the stack has
     // more than this to itself, or the memory layout of the image would be no use for anything.
@@ -24,12 +22,12 @@ pub fn depth_of<T>(call: impl FnOnce() -> T) -> (T, usize) {
             "bne 2b",
             top = out(reg) top,
             at = out(reg) _,
-            left = inout(reg) WORDS => _,
+            left = inout(reg) BYTES / 4 => _,
             paint = in(reg) PAINT,
         );
     }
     let result = call();
-    let mut low = top - 4 * WORDS;
+    let mut low = top - BYTES;
     // SAFETY: words that were painted above, aligned because the stack pointer is.
     while low < top && unsafe { (low as *const u32).read_volatile() } == PAINT {
         low += 4;

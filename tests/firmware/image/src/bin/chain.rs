@@ -1,8 +1,8 @@
-//! What a chain's UAV costs, on a chip without a heap: no allocator is linked.
+//! Chains, on a chip without a heap: no allocator is linked. What a node costs at most comes first.
 #![no_std]
 #![no_main]
 
-use image::{clock, hardest, host, say};
+use image::{clock, flight, hardest, host, say};
 use uchain_core::chain::{Node, NodeParams, Observation, RadioSlot};
 
 #[cortex_m_rt::entry]
@@ -17,5 +17,6 @@ fn main() -> ! {
     say!("hardest instructions {}", most.instructions);
     say!("hardest decide_stack {}", most.decide_stack);
     say!("hardest say_stack {}", most.say_stack);
+    flight::fly::<1024>(flight::None);
     host::end(true)
 }
