@@ -37,7 +37,7 @@ impl core::error::Error for OutOfRange {}
 ///
 /// Each line is `pub name: Type = default, in low..=high;`. The range is left out for switches, choices and
 /// whatever is not a single number. If every field has a default, the struct gets `Default`. It also gets `KEYS`
-/// ([`Key`] per field) and `check`, which returns the first field outside its range; and, with the feature `schema`
+/// ([`Key`] per field), `check`, which returns the first field outside its range, and `first_wrong`, which only names it; and, with the feature `schema`
 /// of the crate that declares it, a JSON Schema with the same ranges. Attributes of the struct (a serde derive, say)
 /// are passed on, of a field `#[serde(…)]` and `#[schemars(…)]`, in this order.
 ///
@@ -57,6 +57,7 @@ impl core::error::Error for OutOfRange {}
 /// assert!(GainParams::default().check().is_ok());
 /// assert_eq!(GainParams { gain_per_s: -1.0 }.check().unwrap_err().low, 0.0);
 /// assert!(GainParams { gain_per_s: f32::NAN }.check().is_err());
+/// assert_eq!(GainParams { gain_per_s: f32::NAN }.first_wrong(), Some("gain_per_s"));
 /// assert!(GainParams { gain_per_s: 10.0 }.check().is_ok());
 /// assert_eq!(GainParams::KEYS[0].name, "gain_per_s");
 /// assert!(GainParams::KEYS[0].doc.ends_with(" - Symbol: k\n - Source: a textbook\n"));
@@ -108,6 +109,18 @@ macro_rules! params {
                 $( $( $crate::params!(@check self, $field, $ty, $low, $high); )? )*
                 Ok(())
             }
+
+            /// The name of the first field outside its range: `check` without the numbers, which are doubles, and dear where
+            /// the hardware has none.
+            #[allow(clippy::cast_lossless, clippy::unnecessary_cast, trivial_numeric_casts)]
+            pub fn first_wrong(&self) -> Option<&'static str> {
+                $( $(
+                    if !$crate::params!(@is_legal self, $field, $ty, $low, $high) {
+                        return Some(stringify!($field));
+                    }
+                )? )*
+                None
+            }
         }
     };
     (@default $Name:ident { $( $field:ident = $default:expr; )* }) => {
@@ -121,9 +134,12 @@ macro_rules! params {
     (@default $Name:ident { $($fields:tt)* }) => {};
     (@range) => { None };
     (@range $low:literal, $high:literal) => { Some(($low as f64, $high as f64)) };
+    // Compared in the field's own type: its rounding of a bound is within the range.
+    (@is_legal $self:ident, $field:ident, $ty:ty, $low:literal, $high:literal) => {
+        (($low as $ty)..=($high as $ty)).contains(&$self.$field)
+    };
     (@check $self:ident, $field:ident, $ty:ty, $low:literal, $high:literal) => {
-        // Compared in the field's own type: its rounding of a bound is within the range.
-        if !(($low as $ty)..=($high as $ty)).contains(&$self.$field) {
+        if !$crate::params!(@is_legal $self, $field, $ty, $low, $high) {
             let (got, low, high) = ($self.$field as f64, $low as f64, $high as f64);
             return Err($crate::params::OutOfRange { key: stringify!($field), got, low, high });
         }

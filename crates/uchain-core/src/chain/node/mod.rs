@@ -3,6 +3,7 @@
 mod brain;
 mod check;
 mod levelling;
+mod presets;
 #[cfg(test)]
 mod tests;
 

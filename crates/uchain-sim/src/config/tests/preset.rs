@@ -1,3 +1,5 @@
+use uchain_core::chain::NodeParams;
+
 use super::{
     super::{KnownKeys, PRESETS, Preset, document::Document},
     Course, PLAIN, Scenario, source,
@@ -26,6 +28,19 @@ fn a_preset_fills_in_what_is_not_written_and_every_one_of_them_is_right() {
                 );
             }
         }
+    }
+}
+
+/// A drone reads no scenario: what it flies by is written down in the core as well.
+#[test]
+fn a_node_on_a_drone_flies_by_the_presets_that_scenarios_name() {
+    let drone = [("cavemod", NodeParams::cavemod()), ("frontiers2021", NodeParams::frontiers2021())];
+    assert_eq!(drone.each_ref().map(|(name, _)| *name), PRESETS.map(|preset| preset.name), "all of them");
+    let plain = PLAIN.replace("k_db_per_m = 20.0", "");
+    let read = |text: &str| Course::read(&source(text), &[]).unwrap().node_params();
+    assert_eq!(read(&plain), NodeParams::default());
+    for (name, params) in drone {
+        assert_eq!(read(&format!("preset = \"{name}\"\n{plain}")), params, "{name}");
     }
 }
 
