@@ -21,6 +21,7 @@ enum May {
 const WORKSPACES: &[(&str, May)] = &[
     ("tests/no_std", May::TheSame),
     ("tests/libm_only", May::TheSame),
+    ("crates/uchain-ffi", May::TheSame),
     // What reads marks and drives a fuzzer.
     ("tests/no_panic", May::More),
     ("fuzz", May::More),

@@ -4,6 +4,7 @@ mod cargo;
 mod digest;
 mod examples;
 mod features;
+mod ffi;
 mod firmware;
 mod fuzz;
 mod libm;
@@ -92,6 +93,11 @@ pub(crate) const STEPS: &[Step] = &[
         run: no_panic::links,
     },
     Step { name: "fuzz", about: "what fuzzing has found, without a fuzzer", run: fuzz::replay },
+    Step {
+        name: "ffi",
+        about: "C gets the same bits on this machine and on the emulated chip, and the Crazyflie app flies",
+        run: ffi::answers_as_rust_does,
+    },
     Step {
         name: "libm",
         about: "programs import no mathematics from the system if they ask so, and keep theirs if not",
