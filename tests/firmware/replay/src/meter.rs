@@ -157,7 +157,7 @@ pub struct Tally {
     pub ticks: u32,
     /// Explorations, in the order in which they were flown.
     #[cfg(feature = "explore")]
-    pub explored: ArrayVec<Explored, 4>,
+    pub explored: ArrayVec<Explored, 8>,
     counts: [Count; Call::ALL.len()],
 }
 
