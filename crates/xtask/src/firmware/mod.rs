@@ -37,6 +37,8 @@ pub(crate) fn firmware(house: &House) -> Result<()> {
 /// The same where a chip is known to be there; and whether all of it would be noticed if it were not so.
 pub(crate) fn prove(house: &House, rust: Toolchain) -> Result<()> {
     run(&mut house.cargo_in(WORKSPACE, "test --locked --features replay/explore"))?;
+    run(&mut house
+        .cargo_in(WORKSPACE, "clippy --locked --all-targets --features replay/explore -- -D warnings"))?;
     run(&mut rust.cargo(house, FOLDER, "clippy --locked --release --package image -- -D warnings"))?;
     run(&mut rust.cargo(
         house,
