@@ -34,11 +34,7 @@ impl Flights {
     /// Has the simulator record what its UAVs see.
     pub(crate) fn record(house: &House, images: PathBuf) -> Result<Self> {
         run(&mut house.cargo_in(WORKSPACE, "build --locked --release --package host"))?;
-        // The whole workspace, as in the step `examples`: same features, so that nothing compiles a second time.
-        run(&mut house.cargo("build --locked --profile checked --workspace --examples"))?;
-        let folder = house.target.join("chip");
-        fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
-        run(Command::new(house.target.join("checked/examples/observed")).arg(&folder))?;
+        let folder = recorded(house)?;
         Ok(Self { folder, images, host: house.built(WORKSPACE).join("release/host") })
     }
 
@@ -106,6 +102,16 @@ impl Flights {
             Ok(_) => bail!("the chip flew half a trace and said nothing of it"),
         }
     }
+}
+
+/// Has the simulator record what its UAVs see; the folder of the traces.
+pub(crate) fn recorded(house: &House) -> Result<PathBuf> {
+    // The whole workspace, as in the step `examples`: same features, so that nothing compiles a second time.
+    run(&mut house.cargo("build --locked --profile checked --workspace --examples"))?;
+    let folder = house.target.join("chip");
+    fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
+    run(Command::new(house.target.join("checked/examples/observed")).arg(&folder))?;
+    Ok(folder)
 }
 
 fn remove(file: &Path) -> Result<()> {

@@ -16,6 +16,8 @@ use figures::Figures;
 use flight::Flights;
 use toolchain::{Toolchain, toolchain};
 
+pub(crate) use flight::recorded;
+
 /// The workspace of the programs for the chip, and of those for the host that they are compared with.
 pub(crate) const WORKSPACE: Proof = Proof("firmware");
 

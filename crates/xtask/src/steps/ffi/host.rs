@@ -14,7 +14,7 @@ use crate::house::{House, capture, run};
 /// Sanitizers of addresses and of what C leaves undefined.
 const WATCHED: [&str; 2] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
 
-pub(super) fn answers(house: &House) -> Result<()> {
+pub(super) fn answers(house: &House, recorded: &Path) -> Result<()> {
     run(&mut cargo(house, "build --locked --release --package uchain-ffi"))?;
     let folder = built(house).join("on-host");
     fs::create_dir_all(&folder)?;
@@ -26,7 +26,7 @@ pub(super) fn answers(house: &House) -> Result<()> {
     let harness = compile(house, watched, &folder.join("harness"), &["crates/uchain-ffi/harness"], harness)?;
     let fly = |words: &[&str]| run(Command::new(&harness).args(words).current_dir(&folder));
     fly(&["abuse"])?;
-    ask(house, &folder)?;
+    ask(house, &folder, recorded)?;
     fly(&["asked.bin", "replies.bin"])?;
     must_be_the_same(house, &folder, "C on this host")?;
     fly(&["asked.bin", "replies.bin", "plant"])?;

@@ -14,7 +14,10 @@ use anyhow::{Result, bail, ensure};
 
 use super::Outcome;
 use crate::{
-    firmware::toolchain::{is_there, toolchain},
+    firmware::{
+        self,
+        toolchain::{is_there, toolchain},
+    },
     house::{House, capture, ci, run},
 };
 
@@ -43,14 +46,15 @@ pub(super) fn answers_as_rust_does(house: &House) -> Result<Outcome> {
         return skipped(&format!("`{compiler}` is missing: apt-get install gcc g++"));
     }
     header::compiles(house)?;
-    host::answers(house)?;
+    let recorded = firmware::recorded(house)?.join("chains.trace");
+    host::answers(house, &recorded)?;
     match toolchain(house)? {
         Err(remedy) => skipped(&format!("nothing flew on the chip: {remedy}")),
         Ok(_) if !is_there(ARM_CC) => skipped(
             "nothing flew on the chip: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi, or your \
              system's GCC and newlib for Arm",
         ),
-        Ok(rust) => chip::answers(house, rust).map(|()| Outcome::Passed),
+        Ok(rust) => chip::answers(house, rust, &recorded).map(|()| Outcome::Passed),
     }
 }
 
@@ -79,9 +83,9 @@ fn sources<'a>(house: &'a House, folder: &'a str, names: &'a [&str]) -> impl Ite
     names.iter().map(move |name| house.root.join(folder).join(name))
 }
 
-/// Writes what is asked and what has to come of it into a folder.
-fn ask(house: &House, folder: &Path) -> Result<()> {
-    run(reference(house, "write").arg(folder))
+/// Writes what is asked and what has to come of it into a folder, of recorded flights as well.
+fn ask(house: &House, folder: &Path, recorded: &Path) -> Result<()> {
+    run(reference(house, "write").arg(folder).arg(recorded))
 }
 
 /// Whether the replies in a folder are the expected ones: what `reference` says of it.
