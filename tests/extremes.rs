@@ -38,8 +38,9 @@ const WHOLE: [&str; 2] = ["tof.rays", "packets.delay_ticks"];
 const TICKS: [&str; 2] = ["equalize.decision_s", "tof.period_s"];
 
 /// What is no number.
-const WORDS: [&str; 13] = [
+const WORDS: [&str; 14] = [
     "radio={ model = \"disc\", range_m = 0.5 }",
+    "packets.wire=true",
     "link.base_flow=false",
     "link.gap=predict",
     "link.signal=raw",

@@ -24,3 +24,5 @@ mod radio;
 mod scenarios;
 /// A run says what happened: as asked, or what went wrong.
 mod verdict;
+/// Relays level as well over packets in bytes.
+mod wire;

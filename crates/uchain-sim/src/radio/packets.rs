@@ -1,4 +1,4 @@
-//! The table `[packets]`: which of them arrive.
+//! The table `[packets]`: which of them arrive, and as what.
 
 uchain_core::params! {
     /// Delivery of packets (Laclau 2021, §6.1).
@@ -14,5 +14,8 @@ uchain_core::params! {
         /// Time from sending to hearing (ticks of 0.05 s).
         /// - Source: Laclau 2021, §6.1.1 (none)
         pub delay_ticks: u32 = 0, in 0..=1000;
+        /// Whether packets of a chain are sent as bytes, as between drones, and arrive in their steps: a speed to 1 mm/s.
+        /// - Source: ours (`uchain_core::wire`); at most 30 bytes, as in the authors' firmware
+        pub wire: bool = false;
     }
 }

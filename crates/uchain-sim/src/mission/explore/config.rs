@@ -307,6 +307,11 @@ impl ExploreScenario {
                 let expected = "robots answer each other within a round; expected 0, as only packets of a chain are late";
                 return Err(check.invalid("packets.delay_ticks", &self.packets.delay_ticks, expected));
             }
+            if self.packets.wire {
+                let expected = "robots tell each other a graph, which has no bytes yet; expected false, as only packets of a \
+                                chain are sent as bytes";
+                return Err(check.invalid("packets.wire", &true, expected));
+            }
         }
         // Robots that would meet within the round have to hear of each other.
         let least_m = self.range_needed_m();

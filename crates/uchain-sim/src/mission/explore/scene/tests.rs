@@ -59,6 +59,10 @@ fn what_is_wrong_with_an_exploration_is_said_with_its_place_and_its_numbers() {
             &["explore.range_m=9", "packets.drop_rate=0"],
             "explore.range_m = 9: a range of messages beside a radio",
         ),
+        (
+            &["packets.wire=true"],
+            "packets.wire = true: robots tell each other a graph, which has no bytes yet",
+        ),
         (&["packets.delay_ticks=4"], "packets.delay_ticks = 4: robots answer each other within a round"),
         (&["map.walls.outer_m.2=[1, -1]"], "room.toml:4: map.walls: walls cross or touch near"),
         (&["map.walls.outer_m.2=[nan, 0]"], "map.walls.outer_m.2.0 = nan"),

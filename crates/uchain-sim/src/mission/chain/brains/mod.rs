@@ -1,5 +1,7 @@
 //! The brains of a chain, and the links between them.
 
+mod radio;
+
 use std::sync::Arc;
 
 use uchain_core::chain::{
@@ -9,10 +11,12 @@ use uchain_core::chain::{
 use crate::{
     clock::time_s,
     mission::chain::{Asked, Course, Law, Leveller, LinkFrame, Member, Members, Scenario, Silence},
-    radio::{Antenna, Channel, Link, Side, channel},
+    radio::{Antenna, Channel, Link, Side},
     seed::Seed,
     world::World,
 };
+
+use radio::{base_of, radio_of};
 
 /// All brains of a run, by id.
 #[derive(Debug)]
@@ -38,17 +42,6 @@ pub(super) struct Brains<B> {
     asked: Vec<Asked>,
     /// Room for what they get.
     level_mps: Vec<f32>,
-}
-
-/// The radio of a run.
-fn radio_of(course: &Course, seed: Seed) -> Box<dyn Channel<Packet>> {
-    let Scenario { radio, packets, faults, .. } = &course.scenario;
-    channel(seed, base_of(course) + 1, radio.sigma_db, packets, faults)
-}
-
-/// The base as a receiver: one number beyond the UAVs', so that it draws from streams of its own.
-fn base_of(course: &Course) -> u16 {
-    course.spawns.len() as u16
 }
 
 impl<B: Law> Brains<B> {
