@@ -63,6 +63,7 @@ const ROWS: &[Row] = &[
     row("– its map: nodes", "nodes", None, |f| f.in_line("explored", 0, NODES)),
     row("– heap in the end, per node", "bytes of RAM", None, |f| Ok(f.in_line("explored", 0, USED)? / f.in_line("explored", 0, NODES)?.max(1))),
     row("Heap of one robot of it alone, with a map of its own, at most", "bytes of RAM", RAM, |f| f.in_line("explored", 1, PEAK)),
+    row("Heap of the fullest exploration of all that are flown, at most", "bytes of RAM", RAM, |f| f.most_in("explored", PEAK)),
 ];
 
 /// Columns of a line `explored BRAINS ROUNDS NODES USED PEAK`.
@@ -190,6 +191,7 @@ mod tests {
             ("doubles 0", "doubles 1", "Functions of software doubles"),
             ("50000 131072", "50000 131073", "131,073 bytes of RAM, at most 131,072"),
             ("45000 60000", "45000 131073", "Heap of one robot"),
+            ("doubles 0", "doubles 0\nexplored 3 9 9 9 131073", "Heap of the fullest"),
         ] {
             let printed = PRINTED.replace(within, above);
             assert_ne!(printed, PRINTED, "{within}");

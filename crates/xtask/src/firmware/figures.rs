@@ -42,6 +42,13 @@ impl Figures {
             .with_context(|| format!("the chip said nothing of `{name}`, line {line}, number {column}"))
     }
 
+    /// The largest of these numbers of all lines of this name.
+    pub(crate) fn most_in(&self, name: &str, column: usize) -> Result<u64> {
+        let lines = self.0.get(name).into_iter().flatten();
+        let most = lines.filter_map(|numbers| numbers.get(column)).max();
+        most.copied().with_context(|| format!("the chip said nothing of `{name}`, number {column}"))
+    }
+
     /// The largest of the first numbers of all lines whose names begin like this.
     pub(crate) fn most(&self, prefix: &str) -> Result<u64> {
         let lines = self.0.iter().filter(|(name, _)| name.starts_with(prefix)).flat_map(|(_, lines)| lines);
@@ -63,6 +70,8 @@ mod tests {
         assert_eq!(figures.at("size_of Node", 0).unwrap(), 372);
         assert_eq!(figures.at("call say", 2).unwrap(), 30);
         assert_eq!(figures.in_line("explored", 1, 1).unwrap(), 4);
+        assert_eq!(figures.most_in("explored", 1).unwrap(), 4);
+        assert!(figures.most_in("explored", 2).is_err() && figures.most_in("heap", 0).is_err());
         assert_eq!(figures.0.len(), 3);
         let missing = figures.at("call say", 3).unwrap_err().to_string();
         assert!(missing.contains("`call say`, line 0, number 3"), "{missing}");
