@@ -16,6 +16,9 @@ mod hints;
 /// A Ctrl-C, a reader that went away.
 #[path = "cli/interrupt.rs"]
 mod interrupt;
+/// `uchain node`: logs of real flights.
+#[path = "cli/node/mod.rs"]
+mod node;
 /// `uchain paper`.
 #[path = "cli/paper.rs"]
 mod paper;

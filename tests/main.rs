@@ -20,6 +20,8 @@ mod halves;
 mod kept;
 /// The layout for Foxglove names nothing that is not there.
 mod layout;
+/// A log of a flight is decided again as it was.
+mod log;
 /// What is said of files that are wrong.
 mod messages;
 /// The papers' figures and tables are what the report says.

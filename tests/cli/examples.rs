@@ -164,6 +164,7 @@ impl Bench {
             assert!(output.status.success(), "{line}: {}", stderr(&output));
         };
         ok("uchain show corner > mine.toml");
+        ok("uchain node --template > log.csv");
         fs::write(here.join("design.csv"), "chain.uavs,radio.sigma_db\n2,1\n3,\n").unwrap();
         ok("uchain run corner --quiet --out runs/corner-s1 && cp -r runs/corner-s1 runs/corner-s2");
         ok("for name in run old before after a b; do cp runs/corner-s1/run.mcap $name.mcap; done");
@@ -187,12 +188,22 @@ impl Bench {
         fs::create_dir(&here).unwrap();
         let makes = |name: &str| block.lines.iter().any(|line| line.contains(&format!("--out {name}")));
         let fixtures = self.root.path().join("fixtures");
-        for name in
-            ["mine.toml", "design.csv", "city.map", "runs", "sweeps", "part1", "part2", "part3", "part4"]
-                .iter()
-                .chain(&["map.yaml", "map.pgm", "basement.yaml", "basement.pgm", "floor.yaml", "floor.pgm"])
-                .chain(&["run.mcap", "old.mcap", "before.mcap", "after.mcap", "a.mcap", "b.mcap"])
-                .filter(|name| !makes(name))
+        for name in [
+            "mine.toml",
+            "design.csv",
+            "log.csv",
+            "city.map",
+            "runs",
+            "sweeps",
+            "part1",
+            "part2",
+            "part3",
+            "part4",
+        ]
+        .iter()
+        .chain(&["map.yaml", "map.pgm", "basement.yaml", "basement.pgm", "floor.yaml", "floor.pgm"])
+        .chain(&["run.mcap", "old.mcap", "before.mcap", "after.mcap", "a.mcap", "b.mcap"])
+        .filter(|name| !makes(name))
         {
             let copied = Command::new("cp").arg("-r").arg(fixtures.join(name)).arg(&here).status().unwrap();
             assert!(copied.success(), "{name}");
@@ -560,6 +571,7 @@ fn every_field_of_a_result_is_in_the_table_of_its_page_and_every_field_of_the_ta
         json.as_object().unwrap().keys().cloned().collect()
     };
     let tables = fields_in_tables();
+    fs::write(here.path().join("log.csv"), uchain(here.path(), &["node", "--template"]).stdout).unwrap();
     let expected = [
         (
             "docs/guide/results.md",
@@ -572,6 +584,7 @@ fn every_field_of_a_result_is_in_the_table_of_its_page_and_every_field_of_the_ta
             fields_of(&["run", "apartment", "--set", "duration_s=5"], "rooms"),
         ),
         ("docs/guide/planning.md", "plan.json", fields_of(&["plan", "corner"], "plan")),
+        ("docs/guide/firmware.md", "node.json", fields_of(&["node", "log.csv"], "node")),
     ];
     assert_eq!(tables.len(), expected.len(), "{:?}", tables.keys());
     for (page, file, fields) in expected {

@@ -9,6 +9,7 @@ use std::{
 use uchain_sim::{
     config::ConfigError,
     draw::DrawError,
+    log::LogError,
     mission::chain::PlanError,
     record::{
         RecordError,
@@ -41,7 +42,7 @@ const TABLE: [(Exit, &str); 6] = [
     (Exit::Usage, "usage: wrong arguments, or an output folder that is not to be touched"),
     (
         Exit::InputInvalid,
-        "input missing or invalid: scenario, map, recording, sweep or a name that nobody knows; nothing is written",
+        "input missing or invalid: scenario, map, recording, log, sweep or a name that nobody knows; nothing is written",
     ),
     (Exit::Differ, "verify, diff, repro: the flights differ"),
     (
@@ -73,6 +74,8 @@ pub(crate) enum Failure {
     Input(#[from] ConfigError),
     #[error(transparent)]
     Plan(#[from] PlanError),
+    #[error(transparent)]
+    Log(#[from] LogError),
     #[error("{0}")]
     Map(String),
     #[error("{0}")]
@@ -222,6 +225,7 @@ impl Failure {
         match self {
             Self::Input(_)
             | Self::Plan(_)
+            | Self::Log(_)
             | Self::Map(_)
             | Self::NoPage
             | Self::Recording { .. }

@@ -1,5 +1,5 @@
 //! `uchain` on the command line: reads a scenario, flies it, leaves a summary, a picture and a recording; sweeps, reports,
-//! plans, verifies and compares; and tells what every key of a scenario means. `uchain --help` lists the commands and the
+//! plans, verifies and compares; sends logs of real flights through the node; and tells what every key of a scenario means. `uchain --help` lists the commands and the
 //! exit codes.
 //!
 //! It is a library, so that a program of one's own can be the same command line with missions, laws, radios and strategies
@@ -29,6 +29,7 @@ mod exit;
 mod flags;
 mod fly;
 mod monitor;
+mod node;
 mod output;
 mod paper;
 mod plan;
@@ -98,6 +99,7 @@ fn execute(registry: Registry, command: Command) -> Result<(), Failure> {
         Command::Report(args) => sweep::report(registry, &args),
         Command::Repro(args) => sweep::repro(registry, &args),
         Command::Plan(args) => plan::compute(registry, &args),
+        Command::Node(args) => node::node(&args),
         Command::Paper(args) => paper::regenerate(&args),
         Command::View(args) => view::view(registry, &args),
         Command::List => print(&list(registry)?),

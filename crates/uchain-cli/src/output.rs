@@ -65,11 +65,19 @@ pub(crate) const PLAN: Names = Names {
     others: &[],
     replaces: &["plan.json", "plan.png"],
 };
+/// What `uchain node` leaves.
+pub(crate) const NODE: Names = Names {
+    numbers: "node.json",
+    picture: "node.png",
+    recording: None,
+    others: &["commands.csv"],
+    replaces: &["node.json", "node.png", "commands.csv"],
+};
 /// What `uchain inspect --out` leaves.
 pub(crate) const INSPECT: Names =
     Names { numbers: "inspect.json", recording: None, replaces: &["inspect.json", "run.png"], ..RUN };
 
-const ALL: [&Names; 3] = [&RUN, &PLAN, &INSPECT];
+const ALL: [&Names; 4] = [&RUN, &PLAN, &NODE, &INSPECT];
 
 /// How names of files start that are not finished yet.
 const UNFINISHED: &str = ".uchain-";

@@ -97,3 +97,8 @@ pub mod wire;
 
 pub use bounded::bounded;
 use bounded::{larger, smaller};
+
+/// The programs of the guide are compiled and run with those of this documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/firmware.md")]
+struct FirmwareGuide;

@@ -55,6 +55,7 @@
 //! | [`record`] | frames and who watches them; MCAP recordings |
 //! | [`analyse`] | digest, optimum of a chain, statistics, verdicts |
 //! | [`mission`] | a chain, an exploration, one's own |
+//! | `log` | the node alone, fed with the log of a real flight |
 //! | [`run`], [`registry`], `replay`, [`mod@sweep`] | one run, runs of whatever mission, recordings flown again, many runs |
 //! | `draw` | pictures |
 //! | [`mathematics`] | whose `exp` and `sin` the program computes with |
@@ -69,6 +70,7 @@
 //! | `draw` | pictures: the module `draw` |
 //! | `record` | recordings as MCAP files: `record::mcap` and `replay` |
 //! | `sweep` | the module `sweep`, and the table it leaves (Parquet) |
+//! | `log` | the module `log`: logs of real flights, decided again |
 //! | `schema` | JSON Schema of scenarios, and help on every key |
 //! | `oracles` | slow ways that the project's tests compare with; no promise is made of them |
 //!
@@ -102,6 +104,8 @@ pub mod clock;
 pub mod config;
 #[cfg(feature = "draw")]
 pub mod draw;
+#[cfg(feature = "log")]
+pub mod log;
 pub mod map;
 pub mod mathematics;
 pub mod mission;

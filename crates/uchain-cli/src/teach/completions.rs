@@ -31,6 +31,7 @@ pub(crate) fn completions(registry: Registry, shell: Shell) -> Result<(), Failur
             sweep.mut_arg("scenario", scenarios).mut_arg("set", sets).mut_arg("vary", sets)
         })
         .mut_subcommand("plan", |plan| plan.mut_arg("what", scenarios).mut_arg("set", sets))
+        .mut_subcommand("node", |node| node.mut_arg("set", sets).mut_arg("preset", presets))
         .mut_subcommand("check", |check| check.mut_arg("scenario", scenarios).mut_arg("set", sets))
         .mut_subcommand("show", |show| show.mut_arg("scenario", scenarios).mut_arg("preset", presets))
         .mut_subcommand("explain", |explain| {

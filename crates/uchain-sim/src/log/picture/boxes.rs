@@ -1,0 +1,158 @@
+//! What is drawn of a replay, box by box.
+
+use uchain_core::chain::Stage;
+
+use super::{Known, Replay, Step};
+use crate::draw::panel::widened;
+
+/// Most points of one line; the picture is narrower than that.
+const POINTS_MAX: usize = 2000;
+/// Colours of the two links, of the four beams, and of speeds.
+const BACK: usize = 1;
+const FRONT: usize = 0;
+const BEAMS: [(&str, usize); 4] =
+    [("front left", 4), ("front right", 2), ("rear left", 3), ("rear right", 5)];
+const ASKED: usize = 0;
+const WISHED: usize = 1;
+const FLOWN: usize = 2;
+const LOGGED: usize = 3;
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum How {
+    /// Behind one that is mostly the same.
+    Wide,
+    Thick,
+    /// In the background.
+    Thin,
+    Dashed,
+    /// As losses are in every picture.
+    Loss(Known),
+}
+
+/// A line.
+#[derive(Debug)]
+pub(super) struct Curve {
+    pub(super) name: &'static str,
+    pub(super) colour: usize,
+    pub(super) how: How,
+    /// Time (s) and value.
+    pub(super) points: Vec<(f64, f64)>,
+}
+
+/// A box of axes over time.
+#[derive(Debug)]
+pub(super) struct Graph {
+    pub(super) label: &'static str,
+    pub(super) height: f64,
+    pub(super) range: (f64, f64),
+    /// A thin line right across, and what it is called.
+    pub(super) level: Option<(f64, String)>,
+    pub(super) curves: Vec<Curve>,
+}
+
+/// The boxes that have something to show, from above.
+pub(super) fn graphs(replay: &Replay) -> Vec<Graph> {
+    let steps = &replay.steps;
+    let curve = |name, colour, how, of: &dyn Fn(&Step) -> Option<f32>| curve(steps, name, colour, how, of);
+    let flies = |step: &Step| step.why.stage == Stage::Flying;
+    // Without distances nothing is centred.
+    let has_tof = steps.iter().any(|step| step.tof.is_some());
+    let (raw, filtered) = (How::Loss(Known::Raw), How::Loss(Known::Filtered));
+    let s_min_db = replay.summary.s_min_db;
+    let graphs = [
+        graph(
+            "loss (dB)",
+            170.0,
+            s_min_db.map(|s_min_db| (f64::from(s_min_db), format!("s_min {s_min_db} dB"))),
+            vec![
+                curve("", BACK, raw, &|step| step.raw_db[0]),
+                curve("", FRONT, raw, &|step| step.raw_db[1]),
+                curve("back", BACK, filtered, &|step| step.why.estimates.back.filtered_db),
+                curve("front", FRONT, filtered, &|step| step.why.estimates.front.filtered_db),
+            ],
+        ),
+        graph(
+            "front − back (dB)",
+            70.0,
+            Some((0.0, String::new())),
+            vec![curve("", FLOWN, How::Thick, &|step| step.why.imbalance_db)],
+        ),
+        graph(
+            "forward (m/s)",
+            130.0,
+            Some((0.0, String::new())),
+            vec![
+                curve("flown", FLOWN, How::Thin, &|step| step.ground_speed_mps),
+                curve("wished", WISHED, How::Thin, &|step| Some(step.why.wish_mps).filter(|_| flies(step))),
+                curve("allowed", WISHED, How::Wide, &|step| step.why.estimates.allowed_mps),
+                curve("asked", ASKED, How::Thick, &|step| Some(step.command.forward_mps)),
+                curve("in the log", LOGGED, How::Dashed, &|step| step.asked[0]),
+            ],
+        ),
+        graph(
+            "distances (m)",
+            100.0,
+            None,
+            (0..4)
+                .map(|i| curve(BEAMS[i].0, BEAMS[i].1, How::Thick, &|step| Some(beams(step)?[i])))
+                .collect(),
+        ),
+        graph(
+            "left (m/s)",
+            70.0,
+            Some((0.0, String::new())),
+            vec![
+                curve("asked", ASKED, How::Thick, &|step| has_tof.then_some(step.command.lateral_mps)),
+                curve("in the log", LOGGED, How::Dashed, &|step| step.asked[1]),
+            ],
+        ),
+        graph(
+            "yaw rate (rad/s)",
+            70.0,
+            Some((0.0, String::new())),
+            vec![
+                curve("asked", ASKED, How::Thick, &|step| has_tof.then_some(step.command.yaw_rate_radps)),
+                curve("in the log", LOGGED, How::Dashed, &|step| step.asked[2]),
+            ],
+        ),
+    ];
+    graphs.into_iter().flatten().collect()
+}
+
+fn beams(step: &Step) -> Option<[f32; 4]> {
+    step.tof.map(|tof| [tof.nw_m, tof.ne_m, tof.sw_m, tof.se_m])
+}
+
+/// A line through what there is.
+fn curve(
+    steps: &[Step],
+    name: &'static str,
+    colour: usize,
+    how: How,
+    of: &dyn Fn(&Step) -> Option<f32>,
+) -> Curve {
+    let value = |step: &Step| {
+        let value = of(step).filter(|value| value.is_finite())?;
+        Some((step.time_s, f64::from(value)))
+    };
+    let every = steps.iter().filter_map(value).count().div_ceil(POINTS_MAX).max(1);
+    let points = steps.iter().filter_map(value).step_by(every).collect();
+    Curve { name, colour, how, points }
+}
+
+/// A box with those of its lines that have points; `None` without any.
+fn graph(
+    label: &'static str,
+    height: f64,
+    level: Option<(f64, String)>,
+    mut curves: Vec<Curve>,
+) -> Option<Graph> {
+    curves.retain(|curve| !curve.points.is_empty());
+    if curves.is_empty() {
+        return None;
+    }
+    let values = curves.iter().flat_map(|curve| &curve.points).map(|(_, value)| *value);
+    let range = widened(values.chain(level.as_ref().map(|(level, _)| *level)), 0.07);
+    Some(Graph { label, height, range, level, curves })
+}
