@@ -84,7 +84,7 @@ impl Gaps {
         const TOLD: usize = 5;
         let (usual_s, period_s) = (self.usual_s, self.period_s);
         let slow = (usual_s > period_s).then(|| {
-            format!("{label}: rows come every {usual_s:.2} s, decisions every {period_s} s: most of them find nothing new")
+            format!("{label}: rows come every {usual_s:.2} s, decisions every {period_s} s: a decision without a row finds nothing new")
         });
         let told = self.found.iter().take(TOLD).map(|(line, gap_s)| {
             format!("{label}:{line}: {gap_s:.2} s after the row before: in between the node decides on time, and hears nothing")
