@@ -7,6 +7,9 @@ use crate::draw::panel::widened;
 
 /// Most points of one line; the picture is narrower than that.
 const POINTS_MAX: usize = 2000;
+/// A box lower than this is a low one (px), and shows at least this much on either side of 0.
+const LOW: f64 = 100.0;
+const LEAST: f64 = 0.1;
 /// Colours of the two links, of the four beams, and of speeds.
 const BACK: usize = 1;
 const FRONT: usize = 0;
@@ -153,6 +156,9 @@ fn graph(
         return None;
     }
     let values = curves.iter().flat_map(|curve| &curve.points).map(|(_, value)| *value);
-    let range = widened(values.chain(level.as_ref().map(|(level, _)| *level)), 0.07);
+    let level_at = level.as_ref().map(|(level, _)| *level);
+    // A low box around 0 shows at least a tenth either way: finer numbers at its axis would reach into its name.
+    let least = level_at.filter(|level| *level == 0.0 && height < LOW).map(|_| [-LEAST, LEAST]);
+    let range = widened(values.chain(level_at).chain(least.into_iter().flatten()), 0.07);
     Some(Graph { label, height, range, level, curves })
 }
