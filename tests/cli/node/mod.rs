@@ -1,3 +1,4 @@
+mod odd;
 mod wrong;
 
 use std::{fmt::Write as _, fs, path::Path};
@@ -12,9 +13,15 @@ fn relay() -> String {
         "time_s,tof_nw_m,tof_ne_m,tof_sw_m,tof_se_m,ground_speed_mps,back_rssi_dbm,front_rssi_dbm\n"
             .to_owned();
     for row in 0..1200 {
-        let _ = write!(log, "{:.2},0.6,0.7,0.6,0.7,0,", f64::from(row) * 0.05);
+        // No reading of a real sensor stands still.
+        let _ = write!(
+            log,
+            "{:.2},0.6,0.7,0.6,{:.3},0,",
+            f64::from(row) * 0.05,
+            0.7 + f64::from(row % 3) * 0.001
+        );
         let _ = match row % 4 {
-            0 => writeln!(log, "-55,{:.1}", -58.0 - f64::from(row) * 0.01),
+            0 => writeln!(log, "{},{:.1}", -55 - (row / 4) % 2, -58.0 - f64::from(row) * 0.01),
             _ => writeln!(log, ","),
         };
     }
@@ -84,7 +91,7 @@ fn a_template_is_a_log() {
 fn what_it_is_and_by_whose_values_it_decides_is_said_in_words() {
     // 62 dB launch a relay by the defaults, and nobody with another threshold.
     let launch = |args: &[&str]| json(&relay(), args)["launch_s"].as_f64();
-    assert_eq!(launch(&["--set", "takeoff.s_min_db=90"]), None);
+    assert_eq!(launch(&["--set", "takeoff.s_min_db=69.9"]), None);
     // 60.1 dB of filtered loss, held for a second; the head at its first decision; one in the air at its first packet.
     assert!((11.0..15.0).contains(&launch(&[]).unwrap()), "{:?}", launch(&[]));
     assert_eq!(launch(&["--role", "head"]), Some(0.0));

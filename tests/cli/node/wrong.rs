@@ -60,6 +60,8 @@ fn what_is_wrong_with_a_log_is_said_with_line_column_and_remedy_and_nothing_is_w
             row("0.05,,,,,,,,57,"),
             "log.csv:3: back_rssi_dbm = 57: is it without its minus? then the column is called back_loss_db",
         ),
+        (row("0.05,,,,,,,,-257,"), "log.csv:3: back_rssi_dbm = -257: expected -200 to 20"),
+        (row("0.05,,-5,,,,,,,"), "log.csv:3: tof_nw_m = -5: expected -1 to 100"),
         (row("0.05,,,,,,,,,NA"), "log.csv:3: front_rssi_dbm = NA: expected a number, or an empty cell"),
         (
             "time_s,back_loss_db,front_loss_db\n0,50,-60\n".to_owned(),
@@ -155,6 +157,17 @@ fn what_no_node_can_be_is_a_usage_error_or_a_key_with_its_place() {
             "error: --set tof.range_m=0: tof.range_m = 0: must lie in 0.1..=100",
         ),
         (
+            &["--set", "takeoff.s_min_db=90"],
+            3,
+            "error: --set takeoff.s_min_db=90: takeoff.s_min_db = 90: must lie below link.head_stop_db = 70: else the head stops \
+             before the next relay takes off; such as --set link.head_stop_db=100 --set link.head_back_db=105",
+        ),
+        (
+            &["--set", "link.head_back_db=60"],
+            3,
+            "error: --set link.head_back_db=60: link.head_back_db = 60: must be at least link.head_stop_db = 70",
+        ),
+        (
             &["--preset", "cavemud"],
             3,
             "error: --preset cavemud: preset = \"cavemud\": unknown choice; did you mean 'cavemod'?",
@@ -170,6 +183,9 @@ fn what_no_node_can_be_is_a_usage_error_or_a_key_with_its_place() {
         );
         assert_eq!((stdout(&output), files(here.path()).len()), ("", 1), "{args:?}");
     }
+    // A scenario has a key, a node has not: what may stand there helps nobody. It does where a node has the key.
+    let hints = |set| stderr(&node(here.path(), &relay(), &["--set", set])).contains("uchain explain");
+    assert!(!hints("radio.sigma_db=3") && hints("equalize.k_db_per_m=0"));
     let nothing = uchain(here.path(), &["node"]);
     assert_eq!(nothing.status.code(), Some(2));
     assert!(stderr(&nothing).contains("--help"), "{}", stderr(&nothing));

@@ -21,7 +21,7 @@ const EXAMPLES: &str = "\
 Examples:
   uchain node --template > log.csv           a header and two rows, for your drone to go on with
   uchain node log.csv                        what would a relay have asked for?
-  uchain node log.csv --preset cavemod --set takeoff.s_min_db=66
+  uchain node log.csv --preset cavemod --set takeoff.s_min_db=62
   uchain node log.csv --role head --json | jq .overrides
   uchain node log.csv --airborne --csv > asked.csv
 
@@ -33,8 +33,9 @@ node.json. A number with all its digits keeps its bits: what the simulator or a 
 const NOTES: &str = "\
 A log is CSV of at most 64 MiB and 500,000 rows, most of them at the rate of the distance sensors. A column that the drone does not
 have is left out; a # before a name leaves that column out. Of a packet that falls between two decisions the next one hears, of
-several of one neighbour the last. A cell that is no number (nan) counts as not measured, and is told. Rows that are too far
-apart are told as well: in between the node decides on time, and hears nothing.
+several of one neighbour the last. A cell that is no number (nan) counts as not measured, a distance as a beam that sees nothing;
+it is told, and so are readings that look stuck or in another unit. Rows that are too far apart are told as well: in between the
+node decides on time, and hears nothing.
 ";
 
 /// A log through the node.
@@ -50,9 +51,9 @@ pub(crate) struct Node {
     /// Print the header of a log and two rows, and do nothing else
     #[arg(long, conflicts_with_all = ["log", "csv", "json", "out"])]
     pub(crate) template: bool,
-    /// What the drone of the log is, where no column says its place
-    #[arg(long, value_enum, default_value_t = Role::Relay)]
-    role: Role,
+    /// What the drone of the log is, where no column says its place [default: relay]
+    #[arg(long, value_enum)]
+    role: Option<Role>,
     /// Its place in the chain, where no column says it: 0 is the head [default: 1, of a head 0]
     #[arg(long, value_name = "N")]
     place: Option<u16>,
@@ -85,7 +86,7 @@ enum Role {
 impl Node {
     /// What the node is set to.
     pub(crate) fn settings(&self) -> Result<Settings, Failure> {
-        let place = match (self.role, self.place) {
+        let place = match (self.role.unwrap_or(Role::Relay), self.place) {
             (Role::Head, None | Some(0)) => 0,
             (Role::Relay, None) => 1,
             (Role::Relay, Some(place)) if place > 0 => place,
@@ -99,7 +100,8 @@ impl Node {
         let preset = self.preset.iter().map(|name| format!("preset={name}"));
         let sets: Vec<String> = preset.chain(self.sets.set.iter().cloned()).collect();
         let settings = Settings::read(&sets).map_err(|error| self.as_typed(error))?;
-        Ok(Settings { place, is_airborne: self.airborne, ..settings })
+        let is_place_asked = self.role == Some(Role::Head) || self.place.is_some();
+        Ok(Settings { place, is_place_asked, is_airborne: self.airborne, ..settings })
     }
 
     /// An error about the preset, named by the option that it came by.

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use uchain_sim::{
     config::{ConfigError, Origin, Preset, builtin},
+    log::NO_VALUE,
     registry::Registry,
 };
 
@@ -31,6 +32,7 @@ pub(crate) fn hint(registry: Registry, failure: &Failure) -> Option<String> {
         }
         ConfigError::Syntax { at: Origin::Line { .. } | Origin::Whole { .. }, .. } => Some(TOML.to_owned()),
         ConfigError::UnknownKey { key, .. } => Some(about_key(registry, key)),
+        ConfigError::Invalid { expected, .. } if expected.starts_with(NO_VALUE) => None,
         ConfigError::UnknownChoice { key, .. }
         | ConfigError::Missing { key, .. }
         | ConfigError::Invalid { key, .. } => {

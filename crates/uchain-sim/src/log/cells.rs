@@ -92,7 +92,13 @@ fn number(column: &Column, cell: &str) -> Result<f32, String> {
     match column.sound {
         // What is no number goes to the node as it is: it has an answer for it.
         Some((low, high, hint)) if value.is_finite() && !(low..=high).contains(&f64::from(value)) => {
-            Err(hint.to_owned())
+            // Each hint is about one mistake, which no number on the other side comes of.
+            let is_meant = match column.of {
+                Of::Rssi(_) | Of::Tof(_) | Of::Battery => f64::from(value) > high,
+                Of::Loss(_) => f64::from(value) < low,
+                _ => true,
+            };
+            Err(if is_meant { hint.to_owned() } else { format!("expected {low} to {high}") })
         }
         _ => Ok(value),
     }

@@ -1,6 +1,4 @@
-//! Time in a log: when decisions are due, and where rows are missing.
-
-use super::Step;
+//! Time in a log: when decisions are due.
 
 /// Share of a period by which a decision may come early: rows of a real log are never on the beat.
 const EARLY: f64 = 0.1;
@@ -40,59 +38,6 @@ impl Clock {
     /// Time between two decisions (s).
     pub(super) fn period_s(&self) -> f64 {
         self.period_s
-    }
-}
-
-/// Where rows are missing.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Gaps {
-    /// Line behind a gap, and how long it is (s).
-    found: Vec<(u64, f64)>,
-    /// What most rows lie apart (s).
-    pub(super) usual_s: f64,
-    /// Decisions that no row stands for.
-    pub(super) decisions: usize,
-    period_s: f64,
-}
-
-impl Gaps {
-    /// A gap is longer than a decision and a half, and than two and a half rows: one row late is none, and neither is a log
-    /// that is slower than decisions all along.
-    pub(super) fn of(steps: &[Step], period_s: f64) -> Self {
-        let rows = || steps.iter().filter_map(|step| Some((step.line?, step.time_s)));
-        let apart = || rows().zip(rows().skip(1)).map(|((_, from_s), (line, to_s))| (line, to_s - from_s));
-        let mut lengths_s: Vec<f64> = apart().map(|(_, apart_s)| apart_s).collect();
-        lengths_s.sort_by(f64::total_cmp);
-        let usual_s = lengths_s.get(lengths_s.len() / 2).copied().unwrap_or(0.0);
-        let long_s = (1.5 * period_s).max(2.5 * usual_s);
-        let found = apart().filter(|(_, apart_s)| *apart_s > long_s).collect();
-        let decisions = steps.iter().filter(|step| step.line.is_none()).count();
-        Self { found, usual_s, decisions, period_s }
-    }
-
-    pub(super) fn count(&self) -> usize {
-        self.found.len()
-    }
-
-    /// The longest (s).
-    pub(super) fn longest_s(&self) -> f64 {
-        self.found.iter().map(|(_, gap_s)| *gap_s).fold(0.0, f64::max)
-    }
-
-    /// For people, a line each.
-    pub(super) fn notes(&self, label: &str) -> Vec<String> {
-        const TOLD: usize = 5;
-        let (usual_s, period_s) = (self.usual_s, self.period_s);
-        let slow = (usual_s > period_s).then(|| {
-            format!("{label}: rows come every {usual_s:.2} s, decisions every {period_s} s: a decision without a row finds nothing new")
-        });
-        let told = self.found.iter().take(TOLD).map(|(line, gap_s)| {
-            format!("{label}:{line}: {gap_s:.2} s after the row before: in between the node decides on time, and hears nothing")
-        });
-        let more = self.found.len().saturating_sub(TOLD);
-        let rest =
-            (more > 0).then(|| format!("{label}: {more} more gaps, the longest {:.2} s", self.longest_s()));
-        slow.into_iter().chain(told).chain(rest).collect()
     }
 }
 

@@ -19,6 +19,7 @@ mod cells;
 mod clock;
 mod columns;
 mod commands;
+mod notes;
 #[cfg(feature = "draw")]
 mod picture;
 mod replay;
@@ -31,7 +32,7 @@ use std::io;
 pub use columns::{about_columns, template};
 pub use replay::{Replay, STEPS_MAX, Step};
 pub use rows::LOG_MAX_BYTES;
-pub use settings::Settings;
+pub use settings::{NO_VALUE, Settings};
 pub use summary::{Compared, Neighbour, Overridden, Summary};
 
 /// Why a log cannot be replayed.

@@ -9,8 +9,9 @@ use uchain_core::chain::{
 
 use super::{
     LogError, Settings,
-    clock::{Clock, Gaps},
+    clock::Clock,
     columns::{End, hears},
+    notes::{Gaps, Grounded, Readings, no_numbers},
     rows::{self, Row, Rows, Word},
     summary::Summary,
 };
@@ -47,6 +48,8 @@ pub struct Step {
 pub struct Replay {
     pub(super) steps: Vec<Step>,
     pub(super) summary: Summary,
+    /// What most rows lie apart (s).
+    pub(super) usual_s: f64,
     notes: Vec<String>,
 }
 
@@ -68,9 +71,11 @@ impl Replay {
         let mut rows = Rows::start(&text, label)?;
         can_decide(&rows, label, settings)?;
         let mut flight: Option<Flight> = None;
+        let mut readings = Readings::new(settings);
         while let Some(row) = rows.next()? {
             let flight = flight.get_or_insert_with(|| Flight::start(settings, row.time_s));
             flight.see(&row);
+            readings.see(&row);
             if flight.steps.len() > STEPS_MAX {
                 let line = flight.steps.iter().rev().find_map(|step| step.line).unwrap_or(1);
                 let why = format!(
@@ -83,14 +88,13 @@ impl Replay {
             let why = "no rows below the header: expected one for each moment".to_owned();
             return Err(LogError::Whole { label: label.to_owned(), why });
         };
-        let no_numbers = rows.no_numbers.iter().map(|(column, line, count)| {
-            let cells = if *count == 1 { "1 cell".to_owned() } else { format!("{count} cells") };
-            format!("{label}:{line}: {column}: {cells} with no number, taken for not measured; such a cell is better left empty")
-        });
         let gaps = Gaps::of(&flight.steps, flight.clock.period_s());
-        let notes = no_numbers.chain(gaps.notes(label)).collect();
-        let summary = Summary::of(&flight.steps, &gaps, settings);
-        Ok(Self { steps: flight.steps, summary, notes })
+        let notes = [no_numbers(label, &rows.no_numbers), readings.notes(label), gaps.notes(label)].concat();
+        let mut summary = Summary::of(&flight.steps, &gaps, settings);
+        if summary.launch_s.is_none() {
+            summary.grounded = Some(flight.grounded.words(&flight.steps, &settings.params));
+        }
+        Ok(Self { steps: flight.steps, summary, usual_s: gaps.usual_s, notes })
     }
 
     /// All steps, in order of time.
@@ -141,6 +145,7 @@ struct Flight {
     heard: [Option<Word>; 2],
     ground_speed_mps: Option<f32>,
     steps: Vec<Step>,
+    grounded: Grounded,
 }
 
 impl Flight {
@@ -157,6 +162,7 @@ impl Flight {
             heard: [None; 2],
             ground_speed_mps: None,
             steps: Vec::new(),
+            grounded: Grounded::default(),
         }
     }
 
@@ -201,6 +207,9 @@ impl Flight {
             self.clock.decide();
         }
         let command = self.node.decide(&seen);
+        if is_decision {
+            self.grounded.see(row.time_s, self.node.doing(&seen).and_then(|doing| doing.launch));
+        }
         // A node always explains itself.
         let Some(why) = self.node.explain(&seen) else { return };
         let raw_db = [row.back, row.front].map(|word| word.map(|word| word.loss_db));

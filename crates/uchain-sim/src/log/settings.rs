@@ -6,8 +6,12 @@ use uchain_core::chain::{CenterParams, EqualizeParams, KalmanParams, LinkParams,
 
 use crate::{
     config::{Check, Choices, ConfigError, Document, Keys, KnownKeys, Source, explain_error},
+    mission::chain::agreed,
     sense::TofParams,
 };
+
+/// How an error about a key begins that a scenario has and a node has not: nothing may stand there.
+pub const NO_VALUE: &str = "no value of a node";
 
 /// The tables of a scenario that a node reads, and of the distance sensors their range.
 const KEYS: Keys = Keys {
@@ -30,6 +34,8 @@ pub struct Settings {
     pub params: NodeParams,
     /// Its place where the log tells none; 0 is the head.
     pub place: u16,
+    /// Somebody asked for that place: a log that tells another one is noted.
+    pub is_place_asked: bool,
     /// The log begins in the air: it takes off at its first packet, and has risen at once.
     pub is_airborne: bool,
 }
@@ -85,9 +91,10 @@ impl Settings {
         ] {
             check.ranged(table, checked)?;
         }
+        agreed(&written.link, written.takeoff.s_min_db, true, &document)?;
         let Written { kalman, equalize, center, takeoff, link, tof } = written;
         let params = NodeParams { kalman, equalize, center, takeoff, link, tof_range_m: tof.range_m };
-        Ok(Self { params, place: 1, is_airborne: false })
+        Ok(Self { params, place: 1, is_place_asked: false, is_airborne: false })
     }
 
     /// What the node is made with.
@@ -128,9 +135,5 @@ fn of_a_node(set: &str, document: &Document<'_>) -> Result<(), ConfigError> {
         .filter(|name| name != table)
         .map(|name| format!("did you mean '{name}'? "))
         .unwrap_or_default();
-    Err(document.invalid(
-        &key,
-        "…",
-        format!("no value of a node: {meant}expected one of {}", known.join(", ")),
-    ))
+    Err(document.invalid(&key, "…", format!("{NO_VALUE}: {meant}expected one of {}", known.join(", "))))
 }

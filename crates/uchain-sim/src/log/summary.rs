@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 use uchain_core::chain::{Override, Role, Stage};
 
-use super::{Settings, Step, clock::Gaps};
+use super::{Settings, Step, notes::Gaps};
 
 /// What a replay came to.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -39,6 +39,8 @@ pub struct Summary {
     pub front: Neighbour,
     /// When it took off (s).
     pub launch_s: Option<f64>,
+    /// Why it never took off, in words; `None` if it did.
+    pub grounded: Option<String>,
     /// From when on it flew by its laws (s).
     pub flying_s: Option<f64>,
     /// Smallest and largest forward speed it asked for (m/s); `None` if it never flew.
@@ -110,11 +112,12 @@ impl Summary {
             let packets = raw().count();
             Neighbour {
                 packets,
-                mean_db: (packets > 0).then(|| raw().sum::<f64>() / packets as f64),
-                filtered_db: estimates.and_then(|ends| ends[end].filtered_db),
+                mean_db: (packets > 0).then(|| raw().sum::<f64>() / packets as f64 + 0.0),
+                filtered_db: estimates.and_then(|ends| ends[end].filtered_db).map(|db| db + 0.0),
             }
         };
-        let forward = || steps.iter().filter(flies).map(|step| step.command.forward_mps);
+        // What is added makes 0 of -0, which says nothing to people.
+        let forward = || steps.iter().filter(flies).map(|step| step.command.forward_mps + 0.0);
         Self {
             role,
             place: last.and_then(|step| step.why.place).unwrap_or(settings.place),
@@ -131,12 +134,13 @@ impl Summary {
             back: heard(0),
             front: heard(1),
             launch_s: steps.iter().find(|step| step.command.airborne).map(|step| step.time_s),
+            grounded: None,
             flying_s: steps.iter().find(flies).map(|step| step.time_s),
             forward_mps: forward().next().map(|_| {
                 forward().fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
             }),
             worst_imbalance_db: decisions()
-                .filter_map(|step| step.why.imbalance_db)
+                .filter_map(|step| Some(step.why.imbalance_db? + 0.0))
                 .max_by(|a, b| a.abs().total_cmp(&b.abs())),
             overrides: overrides(decisions()),
             compared: (0..3).filter_map(|which| compared(which, rows())).collect(),
@@ -167,27 +171,29 @@ impl Summary {
         line(
             "launch",
             &match (self.launch_s, self.flying_s) {
-                (None, _) => "never: the log ends on the ground".to_owned(),
+                (None, _) => {
+                    format!("never: {}", self.grounded.as_deref().unwrap_or("the log ends on the ground"))
+                }
                 (Some(launch_s), None) => {
-                    format!("at {launch_s:.2} s; the log ends before it flies by its laws")
+                    format!("at {} s; the log ends before it flies by its laws", fixed(launch_s, 2))
                 }
                 (Some(launch_s), Some(flying_s)) => {
-                    format!("at {launch_s:.2} s, by its laws from {flying_s:.2} s on")
+                    format!("at {} s, by its laws from {} s on", fixed(launch_s, 2), fixed(flying_s, 2))
                 }
             },
         );
         if let Some([low, high]) = self.forward_mps {
-            line("asked", &format!("{low:.3} to {high:.3} m/s forward"));
+            line("asked", &format!("{} to {} m/s forward", fixed(low, 3), fixed(high, 3)));
         }
         if let Some(imbalance_db) = self.worst_imbalance_db {
-            line("imbalance", &format!("{imbalance_db:.1} dB at worst"));
+            line("imbalance", &format!("{} dB at worst", fixed(imbalance_db, 1)));
         }
         for (i, over) in self.overrides.iter().enumerate() {
             let at =
                 over.first_line.map_or_else(|| "between two rows".to_owned(), |line| format!("line {line}"));
-            let (name, first_s) = (if i == 0 { "overrides" } else { "" }, over.first_s);
+            let (name, first_s) = (if i == 0 { "overrides" } else { "" }, fixed(over.first_s, 2));
             let decisions = plural(over.decisions, "decision");
-            line(name, &format!("{}: {decisions}, first at {first_s:.2} s, {at}", over.by));
+            line(name, &format!("{}: {decisions}, first at {first_s} s, {at}", over.by));
         }
         if self.overrides.is_empty() {
             line("overrides", "none");
@@ -220,15 +226,23 @@ impl Summary {
     }
 }
 
+/// A number with so many digits behind the point, and without a minus before nothing but zeros.
+fn fixed(value: impl Into<f64>, digits: usize) -> String {
+    let text = format!("{:.digits$}", value.into());
+    let is_zero = text.bytes().all(|byte| b"-0.".contains(&byte));
+    if is_zero { text.trim_start_matches('-').to_owned() } else { text }
+}
+
 fn heard(heard: &Neighbour) -> String {
     let packets =
         if heard.packets == 1 { "1 packet".to_owned() } else { format!("{} packets", heard.packets) };
     match (heard.mean_db, heard.filtered_db) {
         (Some(mean_db), Some(filtered_db)) => {
-            format!("{packets}, {mean_db:.1} dB in the mean, {filtered_db:.1} dB filtered at the end")
+            let (mean_db, filtered_db) = (fixed(mean_db, 1), fixed(filtered_db, 1));
+            format!("{packets}, {mean_db} dB in the mean, {filtered_db} dB filtered at the end")
         }
         (Some(mean_db), None) => {
-            format!("{packets}, {mean_db:.1} dB in the mean, not listened to on the ground")
+            format!("{packets}, {} dB in the mean, not listened to on the ground", fixed(mean_db, 1))
         }
         _ => "nothing heard".to_owned(),
     }

@@ -132,7 +132,7 @@ impl Curve {
     }
 
     fn draw(&self, scene: &mut Scene, panel: &Panel, from_s: f64) {
-        let values = self.points.iter().map(|(time_s, value)| Some((time_s - from_s, *value)));
+        let values = self.points.iter().map(|point| point.map(|(time_s, value)| (time_s - from_s, value)));
         match self.how {
             How::Loss(known) => loss::series(scene, panel, known, self.colour, values),
             How::Dashed => loss::dashed_line(scene, panel, values, &self.ink(), THICK),
@@ -149,7 +149,7 @@ impl Graph {
         let named =
             self.curves.iter().filter(|curve| curve.how != How::Loss(Known::Raw) && !curve.name.is_empty());
         let ending = |curve: &Curve| {
-            let (time_s, value) = *curve.points.last()?;
+            let (time_s, value) = curve.points.last().copied()??;
             let words = curve.name.to_owned();
             Some(Ending { at: panel.at(time_s - from_s, value), words, colour: curve.ink() })
         };

@@ -37,6 +37,7 @@ use crate::{
 };
 
 use brains::Brains;
+pub(crate) use config::agreed;
 pub use config::{ChainConfig, PilotStep, Scenario, UAVS_MAX};
 pub use extensions::{ChainExtensions, MakeBrain};
 pub use flight::Flight;

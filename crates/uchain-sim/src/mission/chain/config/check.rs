@@ -32,8 +32,18 @@ pub(crate) fn values(scenario: &Scenario, document: &Document<'_>) -> Result<(),
 /// Thresholds of the head and of relays that leave the next relay no chance to take off, and so are no chain to fly; a
 /// plan may ask for them.
 pub(crate) fn thresholds(scenario: &Scenario, document: &Document<'_>) -> Result<(), ConfigError> {
+    let has_relays = scenario.chain.uavs > 1;
+    agreed(&scenario.link, scenario.takeoff.s_min_db, has_relays, document)
+}
+
+/// The same of one node's values.
+pub(crate) fn agreed(
+    link: &LinkParams,
+    s_min_db: f32,
+    has_relays: bool,
+    document: &Document<'_>,
+) -> Result<(), ConfigError> {
     let check = Check { document };
-    let (link, s_min_db) = (&scenario.link, scenario.takeoff.s_min_db);
     if link.head_back_db < link.head_stop_db {
         let expected = format!(
             "must be at least link.head_stop_db = {}: the head stops before it flies back",
@@ -41,7 +51,7 @@ pub(crate) fn thresholds(scenario: &Scenario, document: &Document<'_>) -> Result
         );
         return Err(check.invalid("link.head_back_db", &link.head_back_db, expected));
     }
-    if scenario.chain.uavs < 2 {
+    if !has_relays {
         return Ok(());
     }
     let defaults = (LinkParams::default(), TakeoffParams::default().s_min_db);

@@ -16,6 +16,7 @@ use crate::{
 };
 
 pub use check::UAVS_MAX;
+pub(crate) use check::agreed;
 pub(super) use check::{thresholds, values};
 
 /// Keys of a chain's scenario.
