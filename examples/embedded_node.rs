@@ -88,7 +88,10 @@ fn main() {
             ground_speed_mps: Some(drone.optic_flow_mps()),
             ..Observation::default()
         };
-        drone.send(node.say(&seen));
+        // Once a decision, before it is made.
+        if seen.radio.is_some() {
+            drone.send(node.say(&seen));
+        }
         let command = node.decide(&seen);
         drone.fly(command);
         if tick.is_multiple_of(LOOP_HZ * 20) {

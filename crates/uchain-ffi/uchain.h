@@ -623,6 +623,9 @@ uchain_status uchain_params_cavemod(struct uchain_params *params);
 
 // Looks whether params are legal. If not, `key` (if it is not NULL) is set to the name of the first key that is wrong, as in
 // a scenario file, `equalize.k_db_per_m` say: text that is there for ever, ended by a 0. Else it is set to NULL.
+//
+// Every key by itself: that thresholds are in order (`takeoff_s_min_db` below `link_head_stop_db` below `link_head_back_db`, and
+// below `link_relay_back_db`) is not looked at. If they are not, the head stops before the next relay takes off.
 uchain_status uchain_params_check(const struct uchain_params *params,
                                   const char **key);
 

@@ -43,6 +43,9 @@ unsafe fn fill(params: *mut Params, with: &NodeParams) -> Status {
 
 /// Looks whether params are legal. If not, `key` (if it is not NULL) is set to the name of the first key that is wrong, as in
 /// a scenario file, `equalize.k_db_per_m` say: text that is there for ever, ended by a 0. Else it is set to NULL.
+///
+/// Every key by itself: that thresholds are in order (`takeoff_s_min_db` below `link_head_stop_db` below `link_head_back_db`, and
+/// below `link_relay_back_db`) is not looked at. If they are not, the head stops before the next relay takes off.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn uchain_params_check(params: *const Params, key: *mut *const c_char) -> Status {
     let mut name = ptr::null();
