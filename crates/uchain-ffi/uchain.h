@@ -4,8 +4,9 @@
  * left, angles counter-clockwise seen from above. Radio is a loss in dB, the received power in dBm with its sign changed:
  * bigger is worse.
  *
- * A pointer is NULL, or points to what its type says. Nothing is allocated, and no input, whatever it is, ends the program: NULL, wrong choices and numbers that are none are
- * answered by a uchain_status. All memory is the caller's; text that is returned is constant.
+ * A pointer is NULL, or points to what its type says; what the pointers of one call point to may not overlap. Nothing is
+ * allocated, and no input, whatever it is, ends the program: NULL, wrong choices and losses that are none are answered by a
+ * uchain_status. All memory is the caller's; text that is returned is constant.
  *
  * Made of crates/uchain-ffi/src by cbindgen: change it there. */
 
@@ -313,8 +314,8 @@ typedef struct uchain_observation {
     // Forward speed that the pilot asks for (m/s), negative backward. It counts if `has_pilot` is 1; only the head has a
     // pilot.
     float pilot_speed_mps;
-    // Place in the chain: 0 leads it, larger ones are nearer to the base. It counts if `has_place` is 1; else the place is
-    // what it was.
+    // Place in the chain (0 to 65,533): 0 leads it, larger ones are nearer to the base. It counts if `has_place` is 1; else the
+    // place is what it was.
     uint16_t place;
     // Wall that the pilot chooses: one of `UCHAIN_FOLLOW_…`. It counts if `has_pilot` is 1.
     uint8_t pilot_follow;
@@ -573,7 +574,8 @@ uchain_status uchain_explain(const struct uchain_node *node,
 // Takes in a packet that the radio brought, for the next decision; of each sender the newest counts. `bytes` and `length`:
 // as received, whatever they are. `loss_db`: the received power (RSSI in dBm) with its sign changed (dB), bigger is worse.
 //
-// Of more than 8 senders between two decisions those are kept that are next to the node's place. `UCHAIN_STATUS_OUT_OF_RANGE`: the
+// Of more than 8 senders between two decisions those are kept that are next to the node's place, as it was told last; told none, a
+// relay believes to be the last before the base. `UCHAIN_STATUS_OUT_OF_RANGE`: the
 // loss is not finite.
 uchain_status uchain_hear(struct uchain_node *node,
                           const uint8_t *bytes,

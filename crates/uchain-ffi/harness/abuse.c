@@ -265,6 +265,43 @@ static void crowd(void)
     EXPECT(why.front_raw_db == 79.0f);
 }
 
+/* A packet of one that believes to be at this place. */
+static void say_from(uint16_t id, uint16_t place, float loss_db)
+{
+    static uchain_node other;
+    uchain_observation theirs;
+    memset(&theirs, 0, sizeof theirs);
+    theirs.has_place = 1;
+    theirs.place = place;
+    EXPECT(uchain_node_init(&other, UCHAIN_ROLE_RELAY, id, &params) == UCHAIN_STATUS_OK);
+    EXPECT(uchain_say(&other, &theirs, packet) == 14);
+    EXPECT(uchain_hear(&node, packet, 14, loss_db) == UCHAIN_STATUS_OK);
+}
+
+/* Eight senders that all claim one place leave room for the neighbour. */
+static void crowd_at_one_place(void)
+{
+    fresh();
+    seen.has_place = 1;
+    seen.place = 5;
+    EXPECT(uchain_step(&node, &seen, &command) == UCHAIN_STATUS_OK);
+    for (uint16_t sender = 0; sender < 8; sender++) {
+        say_from((uint16_t)(200 + sender), 3, 90.0f);
+    }
+    say_from(300, 4, 55.0f);
+    say_from(301, 6, 56.0f);
+    say_from(302, 2, 95.0f);
+    seen.is_decision_due = 1;
+    EXPECT(uchain_step(&node, &seen, &command) == UCHAIN_STATUS_OK);
+    EXPECT(uchain_explain(&node, &seen, &why) == UCHAIN_STATUS_OK);
+    EXPECT(why.front_raw_db == 55.0f);
+    /* No UAV has the base's place, or that of a relay that was told none. */
+    for (uint32_t place = 65534; place <= 65535; place++) {
+        seen.place = (uint16_t)place;
+        EXPECT(uchain_step(&node, &seen, &command) == UCHAIN_STATUS_OUT_OF_RANGE);
+    }
+}
+
 int abuse(void)
 {
     pointers();
@@ -273,6 +310,7 @@ int abuse(void)
     readings();
     packets();
     crowd();
+    crowd_at_one_place();
     printf("%lu claims about wrong use, %d of them not so\n", tried, wrong);
     return wrong == 0 ? 0 : 1;
 }

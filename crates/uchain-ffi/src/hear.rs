@@ -16,7 +16,8 @@ use crate::{
 /// Takes in a packet that the radio brought, for the next decision; of each sender the newest counts. `bytes` and `length`:
 /// as received, whatever they are. `loss_db`: the received power (RSSI in dBm) with its sign changed (dB), bigger is worse.
 ///
-/// Of more than 8 senders between two decisions those are kept that are next to the node's place. `UCHAIN_STATUS_OUT_OF_RANGE`: the
+/// Of more than 8 senders between two decisions those are kept that are next to the node's place, as it was told last; told none, a
+/// relay believes to be the last before the base. `UCHAIN_STATUS_OUT_OF_RANGE`: the
 /// loss is not finite.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn uchain_hear(node: *mut Node, bytes: *const u8, length: u32, loss_db: f32) -> Status {
@@ -53,25 +54,36 @@ impl Inner {
         if !loss_db.is_finite() {
             return Err(Status::OutOfRange);
         }
-        if let Some(room) = self.room_for(from) {
+        if let Some(room) = self.room_for(from, packet.place) {
             *room = Some(Heard { from, loss_db, packet });
         }
         Ok(())
     }
 
-    /// Where a packet of this sender goes: over its last one, to a free place, or over one from farther away than the
-    /// neighbours.
-    fn room_for(&mut self, from: u16) -> Option<&mut Option<Heard>> {
-        let own = self.place;
-        let places = || self.heard.iter().flatten().map(|heard| heard.packet.place);
-        let ahead = places().filter(|place| *place < own).max();
-        let behind = places().filter(|place| *place > own).min();
-        let is_next = |heard: &Heard| [ahead, behind].contains(&Some(heard.packet.place));
+    /// Where a packet of this sender goes: over its last one, to a free place, or over one that is not needed beside it.
+    fn room_for(&mut self, from: u16, place: u16) -> Option<&mut Option<Heard>> {
         let of = |wanted: &dyn Fn(&Option<Heard>) -> bool| self.heard.iter().position(wanted);
         let index = of(&|room| room.is_some_and(|heard| heard.from == from))
             .or_else(|| of(&|room| room.is_none()))
-            .or_else(|| of(&|room| room.is_some_and(|heard| !is_next(&heard))))?;
+            .or_else(|| self.spare(place))?;
         self.heard.get_mut(index)
+    }
+
+    /// A packet that is not needed beside one from this place: from farther away than the neighbours, or from a place that
+    /// another one is from as well.
+    fn spare(&self, newcomer: u16) -> Option<usize> {
+        let own = self.place;
+        let places = || self.heard.iter().flatten().map(|heard| heard.packet.place);
+        let ahead = places().chain([newcomer]).filter(|place| *place < own).max();
+        let behind = places().chain([newcomer]).filter(|place| *place > own).min();
+        let mut with_index = self.heard.iter().flatten().enumerate();
+        let is_spare = |(index, heard): &(usize, &Heard)| {
+            let theirs = heard.packet.place;
+            let is_next = [ahead, behind].contains(&Some(theirs));
+            !is_next || theirs == newcomer || places().take(*index).any(|place| place == theirs)
+        };
+        // All places are taken, so that those that hold something are all there are.
+        with_index.find(is_spare).map(|(index, _)| index)
     }
 }
 

@@ -88,7 +88,7 @@ pub unsafe extern "C" fn uchain_step(
 ) -> Status {
     // SAFETY: as C was asked.
     let (node, observation, command) =
-        unsafe { (inner_mut(node), pointer::read(observation), pointer::write(command)) };
+        unsafe { (inner_mut(node), pointer::read(observation).copied(), pointer::write(command)) };
     let command = match command {
         Ok(command) => command,
         Err(status) => return status,
@@ -99,7 +99,7 @@ pub unsafe extern "C" fn uchain_step(
         Err(status) => return status,
     };
     command.airborne = node.is_airborne.into();
-    match observation.and_then(|observation| node.step(observation)) {
+    match observation.and_then(|observation| node.step(&observation)) {
         Ok(asked) => {
             *command = Command::of(asked);
             Status::Ok

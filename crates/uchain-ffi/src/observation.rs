@@ -28,8 +28,8 @@ pub struct Observation {
     /// Forward speed that the pilot asks for (m/s), negative backward. It counts if `has_pilot` is 1; only the head has a
     /// pilot.
     pub pilot_speed_mps: f32,
-    /// Place in the chain: 0 leads it, larger ones are nearer to the base. It counts if `has_place` is 1; else the place is
-    /// what it was.
+    /// Place in the chain (0 to 65,533): 0 leads it, larger ones are nearer to the base. It counts if `has_place` is 1; else the
+    /// place is what it was.
     pub place: u16,
     /// Wall that the pilot chooses: one of `UCHAIN_FOLLOW_…`. It counts if `has_pilot` is 1.
     pub pilot_follow: u8,
@@ -70,6 +70,10 @@ impl Observation {
         let given = |byte, value: f32| has(byte).map(|has| (has && value.is_finite()).then_some(value));
         has(self.is_decision_due)?;
         seen.place = has(self.has_place)?.then_some(self.place);
+        // The last two are the base's, and that of a relay that was told none.
+        if seen.place.is_some_and(|place| place >= chain::Packet::BASE_PLACE - 1) {
+            return Err(Status::OutOfRange);
+        }
         seen.tof = has(self.has_tof)?.then_some(chain::Tof {
             nw_m: self.tof_nw_m,
             ne_m: self.tof_ne_m,

@@ -185,9 +185,14 @@ static bool make(uint16_t id)
     params.takeoff_s_min_db = s_min_db;
     /* What the Multi-ranger's sensors see in the dark of a tunnel. */
     params.tof_range_m = 2.0f;
-    fault = uchain_abi_version() == UCHAIN_ABI_VERSION
-        ? uchain_node_init(&node, role, id, &params)
-        : (uint8_t)UCHAIN_STATUS_OTHER_VERSION;
+    if ((role == AS_HEAD) != (place == 0)) {
+        /* Place 0 leads the chain, and nobody else does. */
+        fault = UCHAIN_STATUS_BAD_CHOICE;
+    } else if (uchain_abi_version() != UCHAIN_ABI_VERSION) {
+        fault = UCHAIN_STATUS_OTHER_VERSION;
+    } else {
+        fault = uchain_node_init(&node, role, id, &params);
+    }
     return fault == UCHAIN_STATUS_OK;
 }
 

@@ -70,7 +70,7 @@ impl HeadGuard {
         if retreat || back.is_lost(params) {
             smaller(wish_mps, -params.retreat_mps)
         } else if stop || back.loss_db().is_none() {
-            smaller(wish_mps, 0.0)
+            smaller(0.0, wish_mps)
         } else {
             wish_mps
         }

@@ -161,8 +161,8 @@ impl Params {
         ranged(params.center.first_wrong(), "center")?;
         ranged(params.takeoff.first_wrong(), "takeoff")?;
         ranged(params.link.first_wrong(), "link")?;
-        // The core has no range for what a sensor reads; this is the simulator's.
-        if !(0.1..=100.0).contains(&params.tof_range_m) {
+        let (low_m, high_m) = NodeParams::TOF_RANGE_LIMITS_M;
+        if !(low_m..=high_m).contains(&params.tof_range_m) {
             return Err(Refused { status: Status::OutOfRange, key: c"tof.range_m" });
         }
         Ok(params)

@@ -4,8 +4,8 @@ use super::NodeParams;
 use crate::params::OutOfRange;
 
 impl NodeParams {
-    /// Legal ranges of the ToF sensors' range (m).
-    const TOF_RANGE_M: (f32, f32) = (0.1, 100.0);
+    /// Least and most that `tof_range_m` may be (m), both included.
+    pub const TOF_RANGE_LIMITS_M: (f32, f32) = (0.1, 100.0);
 
     /// The first tunable outside its range. A node flies by what it was made with, so whoever reads tunables from a file or
     /// a parameter store asks this before [`Node::new`](super::Node::new): within the ranges nothing a node sees makes it ask
@@ -27,7 +27,7 @@ impl NodeParams {
         self.center.check()?;
         self.takeoff.check()?;
         self.link.check()?;
-        let (low, high) = Self::TOF_RANGE_M;
+        let (low, high) = Self::TOF_RANGE_LIMITS_M;
         if !(low..=high).contains(&self.tof_range_m) {
             let (got, low, high) = (self.tof_range_m.into(), low.into(), high.into());
             return Err(OutOfRange { key: "tof_range_m", got, low, high });
