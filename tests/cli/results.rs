@@ -203,16 +203,45 @@ fn a_file_names_its_folder_and_not_the_scenario_it_was_copied_from() {
     assert!(fs::read(here.path().join("runs/corner-s1/summary.json")).unwrap() == before);
 }
 
-#[test]
-fn maps_with_names_in_other_scripts_have_folders_of_their_own() {
-    let here = folder();
-    // 40 by 40 cells of 0.1 m, free within a wall.
+/// A picture of 40 by 40 cells, free within a wall.
+fn room() -> String {
     let mut map = "P2\n40 40\n255\n".to_owned();
     for y in 0..40 {
         for x in 0..40 {
             map += if (1..39).contains(&x) && (1..39).contains(&y) { "255 " } else { "0 " };
         }
     }
+    map
+}
+
+#[test]
+fn results_never_take_the_place_of_what_they_are_made_of() {
+    let here = folder();
+    fs::create_dir(here.path().join("a")).unwrap();
+    let log = "time_s,back_loss_db,front_loss_db\n0,50,60\n0.2,50,60\n";
+    let cell = ["--set", "map.cell_m=0.1", "--set", SHORT];
+    for (name, content, args) in [
+        ("a/map.pgm", room(), [&["run", "a/map.pgm"][..], &cell].concat()),
+        ("a/commands.csv", log.to_owned(), vec!["node", "a/commands.csv"]),
+        ("a/node.json", log.to_owned(), vec!["node", "a/node.json", "--force"]),
+    ] {
+        let file = here.path().join(name);
+        fs::write(&file, &content).unwrap();
+        let refused = uchain(here.path(), &[&args[..], &["--out", "a"]].concat());
+        let wanted =
+            format!("error: {name}: results in a would take its place; name another folder with --out\n");
+        assert_eq!((refused.status.code(), stderr(&refused)), (Some(2), &*wanted));
+        assert_eq!(fs::read_to_string(&file).unwrap(), content);
+        ok(here.path(), &[&args[..], &["--quiet", "--out", "b"]].concat());
+        fs::remove_dir_all(here.path().join("b")).unwrap();
+        fs::remove_file(&file).unwrap();
+    }
+}
+
+#[test]
+fn maps_with_names_in_other_scripts_have_folders_of_their_own() {
+    let here = folder();
+    let map = room();
     for name in ["карта", "схема", "地図", "my map", "my_map"] {
         let file = format!("{name}.pgm");
         fs::write(here.path().join(&file), &map).unwrap();

@@ -91,6 +91,8 @@ pub(crate) enum Failure {
     Occupied { folder: PathBuf, found: String },
     #[error("{} holds another run ({found}); name another folder with --out", folder.display())]
     OtherRun { folder: PathBuf, found: &'static str },
+    #[error("{}: results in {} would take its place; name another folder with --out", file.display(), folder.display())]
+    OwnInput { file: PathBuf, folder: PathBuf },
     #[error("{}: another uchain writes there; wait for it, or name another folder with --out", folder.display())]
     Busy { folder: PathBuf },
     #[error("{}: cannot write results there: {cause}", folder.display())]
@@ -235,6 +237,7 @@ impl Failure {
             | Self::BareMap { .. }
             | Self::Occupied { .. }
             | Self::OtherRun { .. }
+            | Self::OwnInput { .. }
             | Self::Busy { .. }
             | Self::Folder { .. } => Exit::Usage,
             Self::Interrupted

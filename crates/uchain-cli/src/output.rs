@@ -79,6 +79,11 @@ pub(crate) const INSPECT: Names =
 
 const ALL: [&Names; 4] = [&RUN, &PLAN, &NODE, &INSPECT];
 
+/// Whether some command leaves a file of this name.
+fn is_result(name: &str) -> bool {
+    OF_A_RUN.contains(&name) || ALL.iter().any(|names| names.hold(name))
+}
+
 /// How names of files start that are not finished yet.
 const UNFINISHED: &str = ".uchain-";
 
@@ -143,15 +148,26 @@ impl Folder {
         for entry in entries {
             let name = entry.map_err(refuse)?.file_name();
             let name = name.to_string_lossy();
-            let is_ours = OF_A_RUN.contains(&&*name)
-                || ALL.iter().any(|names| names.hold(&name))
-                || papers::leaves(&name)
-                || name.starts_with(UNFINISHED);
+            let is_ours = is_result(&name) || papers::leaves(&name) || name.starts_with(UNFINISHED);
             if !is_ours && !force {
                 return Err(Failure::Occupied { folder: path.to_owned(), found: name.into_owned() });
             }
         }
         Self::enter(path.to_owned())
+    }
+
+    /// Refuses a folder in which results would take the place of what they are made of: a map or a log that lies there under a
+    /// name of ours.
+    pub(crate) fn spares(self, input: impl AsRef<Path>) -> Result<Self, Failure> {
+        let (Ok(file), Ok(folder)) = (fs::canonicalize(&input), fs::canonicalize(&self.path)) else {
+            return Ok(self);
+        };
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        if file.parent() == Some(&folder) && is_result(&name) {
+            let (file, folder) = (input.as_ref().to_owned(), self.path.clone());
+            return Err(Failure::OwnInput { file, folder });
+        }
+        Ok(self)
     }
 
     /// Refuses a folder that holds another run than this recording's: its picture would stand beside that run's numbers.

@@ -24,7 +24,7 @@ pub(crate) fn fly(registry: Registry, asked: &Run) -> Result<(), Failure> {
     let scene = registry.read(&source, &asked.sets.set)?;
     let flight = KeptFlight {
         seed: asked.seed,
-        folder: asked.folder()?,
+        folder: asked.folder()?.spares(&asked.scenario)?,
         is_recorded: asked.recording.wanted(),
         say: &asked.say,
     };

@@ -31,6 +31,7 @@ pub(crate) fn compute(registry: Registry, asked: &Plan) -> Result<(), Failure> {
         typed,
     })?;
     let folder = asked.out.folder(|| Folder::ours("plans", &output::folder_name(&asked.what), ""))?;
+    let folder = folder.spares(&asked.what)?;
     let to_m = asked.to.or_else(|| course.tunnel.as_ref().map(Tunnel::length_m));
     let steps = PlanSteps::new(to_m.unwrap_or(1.0), asked.step);
     let plan = plan(&course, asked.to, steps.plan_m, uavs)?;
