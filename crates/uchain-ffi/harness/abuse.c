@@ -184,7 +184,7 @@ static void readings(void)
         }
         seen.has_tof = seen.has_ground_speed = seen.has_battery = seen.has_pilot = seen.has_place = 1;
         seen.is_decision_due = draw() & 1;
-        seen.place = (uint16_t)(draw() & 3 ? draw() % 5 : 65535);
+        seen.place = (uint16_t)(draw() & 3 ? draw() % 5 : 65533);
         if (uchain_say_base(draw(), packet) != 0) {
             uchain_status status = uchain_hear(&node, packet, 14, EXTREMES[draw() % EXTREME]);
             EXPECT(status == UCHAIN_STATUS_OK || status == UCHAIN_STATUS_OUT_OF_RANGE);
