@@ -190,3 +190,17 @@ fn gaps_and_cells_without_numbers_are_told_by_line_and_flown_all_the_same() {
     assert_eq!((&over["by"], over["first_line"].is_null()), (&"back-lost".into(), true), "{numbers}");
     assert_eq!(numbers["rows"].as_u64().map(|rows| rows + 39), Some(1200));
 }
+
+#[test]
+fn a_number_that_is_none_takes_nothing_away_from_what_was_measured_before_it() {
+    let with = |speed: &str, rssi: &str| {
+        let log = format!(
+            "time_s,ground_speed_mps,back_rssi_dbm,front_rssi_dbm\n0,0.1,-50,-60\n0.05,0.3,-52,-61\n0.1,{speed},{rssi},\n0.2,,,\n"
+        );
+        let output = node(folder().path(), &log, &["--airborne", "--csv", "--quiet"]);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        stdout(&output).to_owned()
+    };
+    assert_eq!(with("nan", "nan"), with("", ""));
+    assert_ne!(with("0.2", "-55"), with("", ""));
+}

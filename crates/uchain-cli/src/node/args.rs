@@ -55,7 +55,7 @@ pub(crate) struct Node {
     #[arg(long, value_enum)]
     role: Option<Role>,
     /// Its place in the chain, where no column says it: 0 is the head [default: 1, of a head 0]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(..=65533))]
     place: Option<u16>,
     /// The log begins in the air: the node takes off at its first packet, and has risen at once
     #[arg(long)]

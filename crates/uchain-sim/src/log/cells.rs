@@ -38,7 +38,10 @@ impl Cells {
             Of::BackIsBase => self.is_base = Some(truth(cell)?),
             _ => {
                 let value = number(column, cell)?;
-                self.take_number(row, column.of, value);
+                // No distance is a beam that sees nothing; no other number is no measurement, as an empty cell is.
+                if value.is_finite() || matches!(column.of, Of::Tof(_)) {
+                    self.take_number(row, column.of, value);
+                }
                 return Ok(value.is_finite());
             }
         }

@@ -37,6 +37,7 @@ use crate::{
 };
 
 use brains::Brains;
+#[cfg(feature = "log")]
 pub(crate) use config::agreed;
 pub use config::{ChainConfig, PilotStep, Scenario, UAVS_MAX};
 pub use extensions::{ChainExtensions, MakeBrain};

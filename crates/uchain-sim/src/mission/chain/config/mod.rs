@@ -16,6 +16,7 @@ use crate::{
 };
 
 pub use check::UAVS_MAX;
+#[cfg(feature = "log")]
 pub(crate) use check::agreed;
 pub(super) use check::{thresholds, values};
 
