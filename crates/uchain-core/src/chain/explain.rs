@@ -45,3 +45,14 @@ pub enum Stage {
     /// Flying by its laws.
     Flying,
 }
+
+impl Stage {
+    /// In a word, for people and programs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Waiting => "waiting",
+            Self::Rising => "rising",
+            Self::Flying => "flying",
+        }
+    }
+}

@@ -45,6 +45,22 @@ pub enum Follow {
     Right,
 }
 
+impl Follow {
+    /// In a word, the one that scenarios have for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Centre => "centre",
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+
+    /// The choice of a word; `None` if there is none of it.
+    pub fn of_word(word: &str) -> Option<Self> {
+        [Self::Centre, Self::Left, Self::Right].into_iter().find(|choice| choice.word() == word)
+    }
+}
+
 /// What a UAV, or the base, says of itself in a packet.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -40,15 +40,9 @@ pub(super) struct Worlds {
 
 /// The wall of this name.
 pub(super) fn follow_of(word: &str) -> PyResult<Follow> {
-    match word {
-        "centre" => Ok(Follow::Centre),
-        "left" => Ok(Follow::Left),
-        "right" => Ok(Follow::Right),
-        _ => {
-            let message = format!("follow = {word:?}: expected \"centre\", \"left\" or \"right\"");
-            Err(PyValueError::new_err(message))
-        }
-    }
+    Follow::of_word(word).ok_or_else(|| {
+        PyValueError::new_err(format!("follow = {word:?}: expected \"centre\", \"left\" or \"right\""))
+    })
 }
 
 impl Worlds {

@@ -3,14 +3,9 @@
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use pyo3::{prelude::*, types::PyDict};
-use uchain_core::chain::{self, Brain as _, NodeParams};
+use uchain_core::chain::{self, Brain as _, NodeParams, Walls};
 
-use super::{
-    level::range,
-    params::from_keywords,
-    seen::Observation,
-    words::{self, follow},
-};
+use super::{level::range, params::from_keywords, seen::Observation, words};
 
 /// All that a UAV may ask of its body.
 #[pyclass(frozen, module = "uchain.laws", get_all)]
@@ -182,7 +177,7 @@ impl Node {
             place: packet.place,
             ground_speed_mps: packet.ground_speed_mps,
             flown_s: packet.flown_s,
-            follow: follow(packet.follow),
+            follow: packet.follow.word(),
             imbalance_db: packet.imbalance_db,
             battery: packet.battery,
         }
@@ -207,19 +202,19 @@ impl Node {
     fn explain(&self, seen: &Observation) -> Option<Explanation> {
         let told = self.node().explain(&seen.0)?;
         Some(Explanation {
-            role: words::role(told.role),
+            role: told.role.word(),
             place: told.place,
-            stage: words::stage(told.stage),
+            stage: told.stage.word(),
             imbalance_db: told.imbalance_db,
             wish_mps: told.wish_mps,
             overridden: told.overridden.map(chain::Override::word),
-            follow: follow(told.follow),
-            walls: told.walls.map(words::walls),
+            follow: told.follow.word(),
+            walls: told.walls.map(Walls::word),
             speed_share: told.speed_share,
         })
     }
 
     fn __repr__(&self) -> String {
-        format!("<uchain.laws.Node: {}>", words::role(self.node().role()))
+        format!("<uchain.laws.Node: {}>", self.node().role().word())
     }
 }

@@ -1,7 +1,7 @@
 //! Choices as words: the ones that scenarios have for them.
 
 use pyo3::{exceptions::PyValueError, prelude::*};
-use uchain_core::chain::{Follow, Role, Stage, Walls};
+use uchain_core::chain::{Follow, Role};
 
 /// The choice of a word.
 ///
@@ -19,35 +19,3 @@ pub(super) fn choice<T: Copy>(name: &str, word: &str, known: &[(&str, T)]) -> Py
 pub(super) const FOLLOW: [(&str, Follow); 3] =
     [("centre", Follow::Centre), ("left", Follow::Left), ("right", Follow::Right)];
 pub(super) const ROLES: [(&str, Role); 2] = [("head", Role::Head), ("relay", Role::Relay)];
-
-pub(super) fn follow(choice: Follow) -> &'static str {
-    match choice {
-        Follow::Centre => "centre",
-        Follow::Left => "left",
-        Follow::Right => "right",
-    }
-}
-
-pub(super) fn role(role: Role) -> &'static str {
-    match role {
-        Role::Head => "head",
-        Role::Relay => "relay",
-    }
-}
-
-pub(super) fn stage(stage: Stage) -> &'static str {
-    match stage {
-        Stage::Waiting => "waiting",
-        Stage::Rising => "rising",
-        Stage::Flying => "flying",
-        _ => "other",
-    }
-}
-
-pub(super) fn walls(walls: Walls) -> &'static str {
-    match walls {
-        Walls::Both => "both",
-        Walls::Left => "left",
-        Walls::Right => "right",
-    }
-}

@@ -93,7 +93,7 @@ fn number(column: &Column, cell: &str) -> Result<f32, String> {
     let value: f32 =
         cell.parse().map_err(|_| "expected a number, or an empty cell where there was nothing".to_owned())?;
     match column.sound {
-        // What is no number goes to the node as it is: it has an answer for it.
+        // What is no number has neither a unit nor a sign that could be wrong.
         Some((low, high, hint)) if value.is_finite() && !(low..=high).contains(&f64::from(value)) => {
             // Each hint is about one mistake, which no number on the other side comes of.
             let is_meant = match column.of {
@@ -115,12 +115,7 @@ fn place(cell: &str) -> Result<u16, String> {
 }
 
 fn follow(cell: &str) -> Result<Follow, String> {
-    match cell {
-        "centre" => Ok(Follow::Centre),
-        "left" => Ok(Follow::Left),
-        "right" => Ok(Follow::Right),
-        _ => Err("expected centre, left or right".to_owned()),
-    }
+    Follow::of_word(cell).ok_or_else(|| "expected centre, left or right".to_owned())
 }
 
 fn truth(cell: &str) -> Result<bool, String> {

@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use uchain_core::chain::{Stage, Walls};
+use uchain_core::chain::{Override, Walls};
 
-use super::{Replay, Step, replay::follow_word};
+use super::{Replay, Step};
 
 const HEADER: &str = "line,time_s,decision,asked_forward_mps,asked_lateral_mps,asked_yaw_rate_radps,airborne,stage,\
                       back_filtered_db,back_variance_db2,back_silent_s,front_filtered_db,front_variance_db2,front_silent_s,\
@@ -27,17 +27,7 @@ fn row(text: &mut String, step: &Step) {
     let number = |value: Option<f32>| value.map(|value| value.to_string()).unwrap_or_default();
     let line = line.map(|line| line.to_string()).unwrap_or_default();
     let (back, front) = (why.estimates.back, why.estimates.front);
-    let stage = match why.stage {
-        Stage::Waiting => "waiting",
-        Stage::Rising => "rising",
-        _ => "flying",
-    };
-    let walls = match why.walls {
-        Some(Walls::Both) => "both",
-        Some(Walls::Left) => "left",
-        Some(Walls::Right) => "right",
-        None => "",
-    };
+    let (stage, walls) = (why.stage.word(), why.walls.map_or("", Walls::word));
     // Writing to a String cannot fail.
     let _ = write!(
         text,
@@ -62,6 +52,6 @@ fn row(text: &mut String, step: &Step) {
     for value in numbers {
         let _ = write!(text, ",{}", number(value));
     }
-    let overridden = why.overridden.map_or("", uchain_core::chain::Override::word);
-    let _ = writeln!(text, ",{overridden},{},{walls},{}", follow_word(why.follow), why.speed_share);
+    let overridden = why.overridden.map_or("", Override::word);
+    let _ = writeln!(text, ",{overridden},{},{walls},{}", why.follow.word(), why.speed_share);
 }

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use uchain_core::chain::{
-    BASE_ID, Brain as _, Command, Explanation, Follow, Heard, Node, Observation, Packet, PilotInput,
-    RadioSlot, Role, Tof,
+    BASE_ID, Brain as _, Command, Explanation, Heard, Node, Observation, Packet, PilotInput, RadioSlot, Role,
+    Tof,
 };
 
 use super::{
@@ -241,14 +241,5 @@ impl Flight {
             Heard { from: place, loss_db: word.loss_db, packet: Packet { place, flown_s, ..word.packet } }
         });
         front.into_iter().chain(back).collect()
-    }
-}
-
-/// A wall choice in a word.
-pub(super) fn follow_word(follow: Follow) -> &'static str {
-    match follow {
-        Follow::Centre => "centre",
-        Follow::Left => "left",
-        Follow::Right => "right",
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use serde_json::{Value, json};
-use uchain_core::chain::{Doing, Follow, LaunchHold, Override, PilotInput, Tof, WallSide, Walls};
+use uchain_core::chain::{Doing, LaunchHold, Override, PilotInput, Tof, WallSide, Walls};
 use uchain_sim::{
     clock::period_ticks,
     mission::{
@@ -73,20 +73,11 @@ impl From<Doing> for DoingView {
         };
         Self {
             overridden: doing.overridden.map(Override::word),
-            follow: word(doing.follow),
-            walls: doing.walls.map(walls_word),
+            follow: doing.follow.word(),
+            walls: doing.walls.map(Walls::word),
             pushed_by: doing.pushed_by.map(|side| if side == WallSide::Left { "left" } else { "right" }),
             launch: doing.launch.map(|launch| held(launch.held)),
         }
-    }
-}
-
-/// The walls that a UAV steers by in a word.
-pub(super) fn walls_word(walls: Walls) -> &'static str {
-    match walls {
-        Walls::Both => "both",
-        Walls::Left => "left",
-        Walls::Right => "right",
     }
 }
 
@@ -278,14 +269,5 @@ impl Viewed for Course {
 
     fn graph((): &(), _: Since) -> Value {
         json!({ "nodes": [], "labels": [], "edges": [] })
-    }
-}
-
-/// A choice of walls in a word.
-pub(super) fn word(follow: Follow) -> &'static str {
-    match follow {
-        Follow::Centre => "centre",
-        Follow::Left => "left",
-        Follow::Right => "right",
     }
 }

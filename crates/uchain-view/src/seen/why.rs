@@ -9,7 +9,7 @@ use uchain_sim::mission::{
     chain::{Chain, Course},
 };
 
-use super::chain::{Last, walls_word, word};
+use super::chain::Last;
 use crate::problem::Problem;
 
 /// What a UAV believes and asks for where a chain stands, most important first.
@@ -54,9 +54,9 @@ pub(super) fn why(course: &Course, chain: &Chain, last: Last, uav: usize) -> Res
         "tick": frame.tick,
         "uav": uav,
         "words": words,
-        "role": match told.role { Role::Head => "head", Role::Relay => "relay" },
+        "role": told.role.word(),
         "place": told.place,
-        "stage": match told.stage { Stage::Waiting => "waiting", Stage::Rising => "rising", _ => "flying" },
+        "stage": told.stage.word(),
         "back": link(&told.estimates.back, told.back_variance_db2),
         "front": link(&told.estimates.front, told.front_variance_db2),
         "imbalance_db": told.imbalance_db,
@@ -65,8 +65,8 @@ pub(super) fn why(course: &Course, chain: &Chain, last: Last, uav: usize) -> Res
         "allowed_mps": told.estimates.allowed_mps,
         "asks_mps": asks_mps,
         "overridden": told.overridden.map(Override::word),
-        "follow": word(told.follow),
-        "walls": told.walls.map(walls_word),
+        "follow": told.follow.word(),
+        "walls": told.walls.map(Walls::word),
         "speed_share": told.speed_share,
         "backward": told.estimates.allowed_mps.is_some_and(|allowed_mps| allowed_mps < 0.0),
         "tof": tof.map(|tof| json!({ "nw_m": tof.nw_m, "ne_m": tof.ne_m, "sw_m": tof.sw_m, "se_m": tof.se_m })),
@@ -80,7 +80,7 @@ fn tells(packet: &Packet) -> Value {
         "place": packet.place,
         "ground_speed_mps": packet.ground_speed_mps,
         "flown_s": packet.flown_s,
-        "follow": word(packet.follow),
+        "follow": packet.follow.word(),
         "imbalance_db": packet.imbalance_db,
         "battery": packet.battery,
     })

@@ -132,6 +132,17 @@ pub enum Walls {
     Right,
 }
 
+impl Walls {
+    /// In a word, for people and programs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Both => "both",
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+}
+
 /// Lateral speed and yaw rate that keep a UAV in mid-tunnel (Eq. 20), or along one wall where the other
 /// is lost or a wall is chosen (Eq. 21, or the default law's wall following). Flying `backward` it is the
 /// same law in the frame turned by half a turn: the rear beams lead, the yaw rate is unchanged. A beam that

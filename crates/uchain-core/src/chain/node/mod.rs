@@ -27,6 +27,16 @@ pub enum Role {
     Relay,
 }
 
+impl Role {
+    /// In a word, for people and programs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Head => "head",
+            Self::Relay => "relay",
+        }
+    }
+}
+
 /// The Params of every law a node flies by, and what it has to know of its sensors.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
