@@ -98,6 +98,14 @@ pub enum ConfigError {
         /// A scenario file beside it, if one is called nearly so.
         choices: Box<Choices>,
     },
+    /// A file that is neither a map nor a scenario.
+    #[error("{label}: neither a scenario in TOML nor a map that is read here; maps may be {known}")]
+    NotAMap {
+        /// The file.
+        label: String,
+        /// The kinds of map files there are.
+        known: String,
+    },
     /// The file is longer than any scenario.
     #[error("{label}: longer than {TEXT_MAX_BYTES} bytes, expected a scenario in TOML")]
     TooLong {
@@ -248,6 +256,7 @@ impl ConfigError {
             | Self::UnknownPreset { .. }
             | Self::NoSuchKey { .. }
             | Self::Read { .. }
+            | Self::NotAMap { .. }
             | Self::TooLong { .. }
             | Self::NotText { .. } => None,
         }

@@ -6,7 +6,7 @@ use std::{
 };
 
 use super::{ConfigError, check::NAME_LENGTH_MAX, diagnose::Choices};
-use crate::map::kind_of_map;
+use crate::map::{kind_of_map, map_files};
 
 /// Longest scenario file (bytes): one of a flight by hand with as many inputs as there may be takes half of it.
 pub const TEXT_MAX_BYTES: u64 = 1 << 24;
@@ -111,8 +111,8 @@ pub fn builtin_names() -> &'static [&'static str] {
 }
 
 impl Source {
-    /// A compiled-in scenario by its name, or a file: what holds a `/` or ends in `.toml` is a file. A bare map (`.map`,
-    /// `.yaml`, `.pgm`, `.png`) stands for its exploration.
+    /// A compiled-in scenario by its name, or a file. A bare map, of any kind of [`FORMATS`](crate::map::FORMATS), stands for
+    /// its exploration.
     ///
     /// # Errors
     /// [`ConfigError::UnknownScenario`] with the nearest name; those of [`Source::read`].
@@ -121,10 +121,31 @@ impl Source {
         if let Some(kind) = kind_of_map(path) {
             return Ok(Self::around_map(path, kind));
         }
-        if name_or_path.contains(['/', '\\']) || is_toml(path) {
+        if is_toml(path) {
             return Self::read(path);
         }
-        builtin(name_or_path).ok_or_else(|| ConfigError::unknown_scenario(name_or_path))
+        if let Some(builtin) = builtin(name_or_path) {
+            return Ok(builtin);
+        }
+        if path.is_file() {
+            return Self::read_other(path);
+        }
+        if name_or_path.contains(['/', '\\']) {
+            return Self::read(path);
+        }
+        Err(ConfigError::unknown_scenario(name_or_path))
+    }
+
+    /// A scenario under another name than usual: anything else is neither scenario nor map.
+    fn read_other(path: &Path) -> Result<Self, ConfigError> {
+        let not_a_map = || ConfigError::NotAMap { label: path.display().to_string(), known: map_files() };
+        match Self::read(path) {
+            Ok(source) if source.text.parse::<toml::Table>().is_ok_and(|table| !table.is_empty()) => {
+                Ok(source)
+            }
+            Ok(_) | Err(ConfigError::NotText { .. } | ConfigError::TooLong { .. }) => Err(not_a_map()),
+            Err(error) => Err(error),
+        }
     }
 
     /// Name of the file it was read from, without folders; `None` for a built-in scenario.

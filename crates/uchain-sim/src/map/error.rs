@@ -161,6 +161,12 @@ pub enum MapError {
         /// What went wrong.
         why: String,
     },
+    /// A picture alone: nobody knows how large its pixels are.
+    #[error("{}: a picture does not say how large its pixels are; say how many metres one is wide: {cell}", file.display(), cell = "--cell 0.05, or cell_m = 0.05 beside its file in a scenario")]
+    NoScale {
+        /// The picture.
+        file: PathBuf,
+    },
     /// This build was made without the feature `maps`.
     #[error("{}: this build reads no map files; build with the feature `maps`", file.display())]
     NoMapFiles {
@@ -187,6 +193,7 @@ impl MapError {
             Self::Read { .. }
                 | Self::Key { .. }
                 | Self::Image { .. }
+                | Self::NoScale { .. }
                 | Self::NoMapFiles { .. }
                 | Self::Count { .. }
                 | Self::WallsCross { .. }

@@ -10,11 +10,15 @@
 //! [`Geodesic`] measures the way through free space, [`Tunnel`] the depth along the middle.
 
 mod cells;
+#[cfg(feature = "drawings")]
+#[cfg_attr(not(test), expect(dead_code, reason = "the readers of drawings follow"))]
+mod drawing;
 mod error;
 mod formats;
 mod geodesic;
 mod geometry;
 mod grid;
+mod import;
 #[cfg(feature = "maps")]
 mod raster;
 mod rays;
@@ -30,18 +34,21 @@ use rapier2d::prelude::SharedShape;
 use serde::{Deserialize, Serialize};
 
 pub use cells::CellGrid;
+#[cfg(feature = "drawings")]
+pub use drawing::Outside;
 pub use error::MapError;
 #[cfg(feature = "schema")]
 pub(crate) use formats::shape;
 pub use formats::{
-    CorridorConfig, CsvConfig, FORMATS, Format, MapConfig, MovingAiConfig, RosConfig, Vertex, WallsConfig,
-    corridor, drawn, kind_of_map, read_moving_ai, read_ros,
+    CorridorConfig, CsvConfig, FORMATS, Format, MapConfig, MovingAiConfig, RosConfig, SNIFFED, Vertex,
+    WallsConfig, corridor, drawn, kind_of_map, map_files, read_moving_ai, read_ros,
 };
 pub(crate) use formats::{FRAME_MAX_M, Fault, tables};
 #[cfg(feature = "maps")]
 pub use formats::{ros_in_memory, ros_picture};
 pub use geodesic::{Geodesic, MOST_CORNERS, Trail};
 pub use geometry::Segment;
+pub use import::{Import, Material, Place, Remark, RemarkKind};
 pub use tunnel::{CentreLine, Tunnel};
 pub use ways::Ways;
 
@@ -78,6 +85,13 @@ pub struct Map {
     loops: Vec<usize>,
     bounds: (Vec2, Vec2),
     offset_m: [f64; 2],
+    /// How it came out of its file.
+    import: Import,
+    /// Places that its file names.
+    places: Vec<Place>,
+    materials: Vec<Material>,
+    /// For each wall the number of its material; empty where nobody says any.
+    made_of: Vec<Option<u16>>,
     grid: Grid,
     /// For each grid cell, whether its reference point is in rock; `None` where that point is on a wall.
     rock_at: Vec<Option<bool>>,
@@ -131,6 +145,10 @@ impl Map {
             loops: starts,
             bounds: (low, high),
             offset_m: [0.0; 2],
+            import: Import::default(),
+            places: Vec::new(),
+            materials: Vec::new(),
+            made_of: Vec::new(),
             grid,
             rock_at: Vec::new(),
             collider_shape: OnceLock::new(),
@@ -167,9 +185,57 @@ impl Map {
         self
     }
 
+    /// How it came out of its file.
+    pub fn import(&self) -> &Import {
+        &self.import
+    }
+
+    /// The same map, and how it came out of its file.
+    #[must_use]
+    pub fn with_import(mut self, import: Import) -> Self {
+        self.import = import;
+        self
+    }
+
+    /// Places that its file has names for.
+    pub fn places(&self) -> &[Place] {
+        &self.places
+    }
+
+    /// The same map with named places.
+    #[must_use]
+    pub fn with_places(mut self, places: Vec<Place>) -> Self {
+        self.places = places;
+        self
+    }
+
+    /// What its walls are made of, as far as its file says.
+    pub fn materials(&self) -> &[Material] {
+        &self.materials
+    }
+
+    /// What a wall is made of, by its number in [`Map::walls`].
+    pub fn material_of_wall(&self, wall: usize) -> Option<&Material> {
+        self.materials.get(usize::from((*self.made_of.get(wall)?)?))
+    }
+
+    /// What a loop of walls is made of, by its number among [`Map::loops`], if all its walls are of one material.
+    pub fn material_of_loop(&self, index: usize) -> Option<&Material> {
+        let start = *self.loops.get(index)?;
+        let end = self.loops.get(index + 1).copied().unwrap_or(self.walls.len());
+        let first = self.made_of.get(start)?;
+        let is_one = self.made_of.get(start..end)?.iter().all(|made_of| made_of == first);
+        is_one.then(|| self.materials.get(usize::from((*first)?))).flatten()
+    }
+
     /// A point of the map file's own frame (m) in the map frame (m).
     pub fn to_local(&self, [x, y]: [f64; 2]) -> Vec2 {
         Vec2::new((x - self.offset_m[0]) as f32, (y - self.offset_m[1]) as f32)
+    }
+
+    /// A point of the map frame (m) in the map file's own frame (m).
+    pub fn to_file(&self, at: Vec2) -> [f64; 2] {
+        [f64::from(at.x) + self.offset_m[0], f64::from(at.y) + self.offset_m[1]]
     }
 
     /// The walls as one shape of rapier's; `None` without walls.

@@ -6,13 +6,19 @@ use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
 use uchain_core::bounded;
 
-use super::{COORDINATE_MAX_M, Fault, Format, MapFormat};
+use super::{COORDINATE_MAX_M, Fault, Format, MapFormat, is_no_file};
 use crate::map::{
     CentreLine, FARTHEST_M, MOST_WALLS, Map, MapError,
     tunnel::centre_line::{Shape, unit},
 };
 
-pub(super) const FORMAT: Format = Format { table: "map.corridor", keys: CorridorConfig::KEYS, ends: &[] };
+pub(super) const FORMAT: Format = Format {
+    table: "map.corridor",
+    name: "corridor of one width",
+    keys: CorridorConfig::KEYS,
+    ends: &[],
+    sniff: is_no_file,
+};
 
 uchain_core::params! {
     /// A corridor of one width along a centre line.

@@ -27,7 +27,13 @@ const MOST_BYTES: u64 = 64 * MOST_WALLS as u64;
 /// The first line.
 const COLUMNS: &str = "loop,x_m,y_m";
 
-pub(super) const FORMAT: Format = Format { table: "map.csv", keys: CsvConfig::KEYS, ends: &["csv"] };
+pub(super) const FORMAT: Format = Format {
+    table: "map.csv",
+    name: "table of wall corners",
+    keys: CsvConfig::KEYS,
+    ends: &["csv"],
+    sniff: |bytes| bytes.starts_with(COLUMNS.as_bytes()),
+};
 
 uchain_core::params! {
     /// Wall loops as a table of their corners, with the columns `loop,x_m,y_m`, as recordings hold them. Loop 0 surrounds the

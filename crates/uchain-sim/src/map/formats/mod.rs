@@ -11,7 +11,7 @@ pub(crate) mod shape;
 mod tests;
 mod walls;
 
-use std::path::Path;
+use std::{ffi::OsStr, fs::File, io::Read as _, path::Path};
 
 use serde::{Deserialize, Serialize};
 use uchain_core::params::{Key, OutOfRange};
@@ -38,10 +38,22 @@ pub(crate) const COORDINATE_MAX_M: f64 = 100_000.0;
 pub struct Format {
     /// Its table in a scenario: `map.ros`.
     pub table: &'static str,
+    /// What people call such a file: "ROS map". Of maps that stand in the scenario itself, what they are.
+    pub name: &'static str,
     /// The keys of that table. Where a map is a file, `file` is its path.
     pub keys: &'static [Key],
     /// Ends of the names of files that are such maps; empty for maps that stand in the scenario itself.
     pub ends: &'static [&'static str],
+    /// Whether a file is such a map, by how it begins: its first [`SNIFFED`] bytes, without a byte order mark.
+    pub sniff: fn(&[u8]) -> bool,
+}
+
+/// How much of a file is looked at to tell its kind (bytes).
+pub const SNIFFED: usize = 4096;
+
+/// Of maps that are no files.
+fn is_no_file(_: &[u8]) -> bool {
+    false
 }
 
 impl Format {
@@ -149,7 +161,11 @@ impl MapConfig {
     /// # Errors
     /// [`MapError`]: no such file, or no map.
     pub fn lay(&self, folder: &Path, around_m: [f64; 2]) -> Result<(Map, Option<CentreLine>), MapError> {
-        self.values().lay(folder, around_m)
+        let (mut map, line) = self.values().lay(folder, around_m)?;
+        if !self.format().ends.is_empty() {
+            map.import.format = self.format().name;
+        }
+        Ok((map, line))
     }
 
     /// The first value that is not legal.
@@ -163,7 +179,8 @@ impl MapConfig {
     }
 }
 
-/// The kind of a map file by the end of its name, as its table within `[map]` is called; `None` for what is no map.
+/// The kind of a map file, as its table within `[map]` is called: by what it holds where it can be read, else by the end of
+/// its name. `None` for what is no map; what ends in `.toml` is a scenario.
 ///
 /// ```
 /// use uchain_sim::config::kind_of_map;
@@ -171,9 +188,39 @@ impl MapConfig {
 /// assert_eq!(kind_of_map("mine.toml".as_ref()), None);
 /// ```
 pub fn kind_of_map(path: &Path) -> Option<&'static str> {
-    let end = path.extension()?.to_str()?;
-    let is_it = |format: &&Format| format.ends.iter().any(|known| end.eq_ignore_ascii_case(known));
-    FORMATS.iter().find(is_it).map(Format::word)
+    let end = path.extension().and_then(OsStr::to_str).unwrap_or_default();
+    if end.eq_ignore_ascii_case("toml") {
+        return None;
+    }
+    let ends_so = |format: &&Format| format.ends.iter().any(|known| end.eq_ignore_ascii_case(known));
+    let by_content = beginning(path).and_then(|bytes| {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+        let begins_so = |format: &&Format| (format.sniff)(bytes);
+        // Where two kinds begin alike, the name decides.
+        let mut known = FORMATS.iter().filter(begins_so);
+        known.clone().find(ends_so).or_else(|| known.next())
+    });
+    by_content.or_else(|| FORMATS.iter().find(ends_so)).map(Format::word)
+}
+
+/// How a file begins; `None` where that cannot be read.
+fn beginning(path: &Path) -> Option<Vec<u8>> {
+    if !path.is_file() {
+        return None;
+    }
+    let mut bytes = Vec::new();
+    File::open(path).ok()?.take(SNIFFED as u64).read_to_end(&mut bytes).ok()?;
+    Some(bytes)
+}
+
+/// The kinds of map files there are, in words: "ROS map (.yaml, .pgm), SVG (.svg)".
+pub fn map_files() -> String {
+    let files = FORMATS.iter().filter(|format| !format.ends.is_empty());
+    let words = files.map(|format| {
+        let ends: Vec<String> = format.ends.iter().map(|end| format!(".{end}")).collect();
+        format!("{} ({})", format.name, ends.join(", "))
+    });
+    words.collect::<Vec<_>>().join(", ")
 }
 
 /// All tables in words, each between quotes: "[map.corridor], [map.walls] and [map.ros]".

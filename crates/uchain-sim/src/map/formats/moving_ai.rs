@@ -13,8 +13,13 @@ use crate::map::{CentreLine, Map, MapError};
 #[cfg(feature = "maps")]
 pub use read::read_moving_ai;
 
-pub(super) const FORMAT: Format =
-    Format { table: "map.movingai", keys: MovingAiConfig::KEYS, ends: &["map"] };
+pub(super) const FORMAT: Format = Format {
+    table: "map.movingai",
+    name: "MovingAI grid",
+    keys: MovingAiConfig::KEYS,
+    ends: &["map"],
+    sniff: |bytes| bytes.starts_with(b"type octile"),
+};
 
 uchain_core::params! {
     /// A grid map of the MovingAI benchmarks (`type octile`): `.`, `G` and `S` are free.

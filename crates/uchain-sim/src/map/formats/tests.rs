@@ -44,3 +44,32 @@ fn what_is_laid_out_is_what_the_table_of_its_row_says() {
     let config: MapConfig = toml::from_str(text).unwrap();
     assert!(config.lay("".as_ref(), [0.0; 2]).unwrap().1.is_some(), "a corridor knows its middle");
 }
+
+#[test]
+fn what_a_file_holds_tells_its_kind_whatever_it_is_called() {
+    let folder = tempfile::tempdir().unwrap();
+    let kind = |name: &str, bytes: &[u8]| {
+        let file = folder.path().join(name);
+        std::fs::write(&file, bytes).unwrap();
+        kind_of_map(&file)
+    };
+    let grid = b"type octile\nheight 1\nwidth 1\nmap\n.\n";
+    assert_eq!(kind("grid.txt", grid), Some("movingai"));
+    assert_eq!(kind("grid.png", grid), Some("movingai"), "the content counts more than the name");
+    assert_eq!(kind("walls", b"\xef\xbb\xbfloop,x_m,y_m\n0,0,0\n"), Some("csv"), "a byte order mark is none");
+    assert_eq!(kind("picture", b"P5\n1 1\n255\n\0"), Some("ros"));
+    assert_eq!(kind("map.txt", b"resolution: 0.05\nimage: a.pgm\n"), Some("ros"));
+    assert_eq!(
+        kind("broken.yaml", b"rubbish"),
+        Some("ros"),
+        "the name counts where the content says nothing"
+    );
+    assert_eq!(kind("notes.txt", b"rubbish"), None);
+    assert_eq!(kind("mine.toml", grid), None, "the control: a scenario");
+    assert_eq!(kind_of_map(&folder.path().join("absent.map")), Some("movingai"));
+    assert!(
+        map_files().contains("MovingAI grid (.map), ROS map (.yaml, .yml, .pgm, .png)"),
+        "{}",
+        map_files()
+    );
+}

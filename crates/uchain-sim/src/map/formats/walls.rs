@@ -5,10 +5,16 @@ use std::{ops::ControlFlow, path::Path};
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
 
-use super::{Fault, Format, MapFormat};
+use super::{Fault, Format, MapFormat, is_no_file};
 use crate::map::{CentreLine, FARTHEST_M, Map, MapError, geometry::orient};
 
-pub(super) const FORMAT: Format = Format { table: "map.walls", keys: WallsConfig::KEYS, ends: &[] };
+pub(super) const FORMAT: Format = Format {
+    table: "map.walls",
+    name: "walls drawn one by one",
+    keys: WallsConfig::KEYS,
+    ends: &[],
+    sniff: is_no_file,
+};
 
 uchain_core::params! {
     /// Walls drawn one by one, as closed loops of corners `[x, y]` (m). Loops neither cross nor touch. Rock within rock

@@ -17,9 +17,13 @@ pub(in crate::map) struct Levels {
 }
 
 impl Levels {
-    fn is_free(self, mean: f64, unknown: Unknown) -> bool {
-        let darkness = if self.negate { mean / 255.0 } else { (255.0 - mean) / 255.0 };
-        darkness <= self.occupied && (darkness < self.free || unknown == Unknown::Free)
+    /// Whether a cell is free; `None` where nobody knows.
+    fn is_free(self, pixel: Pixel) -> Option<bool> {
+        if self.by_opacity && !pixel.opaque {
+            return None;
+        }
+        let darkness = if self.negate { pixel.mean / 255.0 } else { (255.0 - pixel.mean) / 255.0 };
+        if darkness > self.occupied { Some(false) } else { (darkness < self.free).then_some(true) }
     }
 }
 
@@ -28,13 +32,15 @@ impl Levels {
 pub(in crate::map) struct Cells {
     cols: usize,
     rows: usize,
+    /// Cells of unknown state.
+    unknown: usize,
     free: Vec<bool>,
 }
 
 impl Cells {
     /// `free` holds rows of `cols` cells, from the lowest row up.
     pub(in crate::map) fn new(cols: usize, free: Vec<bool>) -> Self {
-        Self { cols, rows: free.len().checked_div(cols).unwrap_or(0), free }
+        Self { cols, rows: free.len().checked_div(cols).unwrap_or(0), unknown: 0, free }
     }
 
     pub(in crate::map) fn decode(
@@ -44,12 +50,12 @@ impl Cells {
     ) -> Result<Self, PictureError> {
         let picture = Picture::decode(file)?;
         let cols = picture.cols();
+        let mut unknown_cells = 0;
         let is_free = |pixel: Pixel| {
-            if levels.by_opacity && !pixel.opaque {
+            levels.is_free(pixel).unwrap_or_else(|| {
+                unknown_cells += 1;
                 unknown == Unknown::Free
-            } else {
-                levels.is_free(pixel.mean, unknown)
-            }
+            })
         };
         let mut free: Vec<bool> = picture.pixels().map(is_free).collect();
         // Pictures start at the top.
@@ -58,7 +64,12 @@ impl Cells {
             let (upper, lower) = free.split_at_mut((rows - 1 - row) * cols);
             upper[row * cols..(row + 1) * cols].swap_with_slice(&mut lower[..cols]);
         }
-        Ok(Self::new(cols, free))
+        Ok(Self { unknown: unknown_cells, ..Self::new(cols, free) })
+    }
+
+    /// How many cells are of unknown state.
+    pub(in crate::map) fn unknown(&self) -> usize {
+        self.unknown
     }
 
     pub(in crate::map) fn cols(&self) -> usize {

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use crate::map::{
-    Map, MapError,
+    Import, Map, MapError, RemarkKind,
     raster::{cells::Cells, read, to_map},
 };
 
@@ -27,7 +27,11 @@ pub fn read_moving_ai(file: &Path, cell_m: f64) -> Result<Map, MapError> {
     let wrong = |why: String| MapError::Read { file: file.to_owned(), why };
     let bytes = read(file, MOST_BYTES).map_err(wrong)?;
     let cells = parse(&bytes).map_err(wrong)?;
-    to_map(&cells, cell_m, 0.0, |corner| corner * cell_m, wrong)
+    let map = to_map(&cells, cell_m, 0.0, |corner| corner * cell_m, wrong)?;
+    let mut import = Import::of("MovingAI grid");
+    let count = cells.cols() * cells.rows();
+    import.say(RemarkKind::Read, count, format!("cells of {cell_m} m: cell_m says so, the file does not"));
+    Ok(map.with_import(import))
 }
 
 /// The cells, or what is wrong with which line.

@@ -16,8 +16,9 @@ use std::{
 use glam::DVec2;
 use serde::{Deserialize, de::IgnoredAny};
 
+use super::{super::beginning, is_picture};
 use crate::map::{
-    Map, MapError, Unknown,
+    Import, Map, MapError, RemarkKind, Unknown,
     raster::{
         cells::{Cells, Levels},
         read, to_map, words,
@@ -32,7 +33,7 @@ const PICTURES: [&str; 2] = ["pgm", "png"];
 const MOST_PICTURE_BYTES: u64 = 1 << 28;
 
 /// Reads a `map_server` map. `cell_m` counts instead of the file's own `resolution` (m). A picture (pgm, png) stands
-/// for itself, with `map_saver`'s thresholds, its lower-left corner at the origin, and cells of 0.05 m.
+/// for itself, with `map_saver`'s thresholds and its lower-left corner at the origin, and needs `cell_m`.
 ///
 /// Walls are the edges between free cells and all others, each kept within `simplify_m` (0 to 1 m) of the cells'
 /// own edge; 0 keeps every step. Simplified walls never cross or touch, and every speck of rock and pocket of free
@@ -53,8 +54,10 @@ pub fn read_ros(
         return Err(MapError::Range { what: "simplify_m", got: simplify_m, low: 0.0, high: 1.0 });
     }
     let end = yaml.extension().unwrap_or_default();
-    let mut meta = if PICTURES.iter().any(|picture| end.eq_ignore_ascii_case(picture)) {
-        Meta::of_picture(yaml)
+    let is_called_so = PICTURES.iter().any(|picture| end.eq_ignore_ascii_case(picture));
+    let mut meta = if is_called_so || beginning(yaml).is_some_and(|bytes| is_picture(&bytes)) {
+        let cell_m = cell_m.ok_or_else(|| MapError::NoScale { file: yaml.to_owned() })?;
+        Meta::of_picture(yaml, cell_m)
     } else {
         let bytes =
             read(yaml, MOST_YAML_BYTES).map_err(|why| MapError::Read { file: yaml.to_owned(), why })?;
@@ -144,10 +147,10 @@ impl Meta {
     }
 
     /// What `map_saver` writes, for a picture without a yaml file.
-    fn of_picture(picture: &Path) -> Self {
+    fn of_picture(picture: &Path, resolution_m: f64) -> Self {
         let image = PathBuf::from(picture.file_name().unwrap_or_default());
         let levels = Levels { negate: false, occupied: 0.65, free: 0.196, by_opacity: false };
-        Self { image, resolution_m: 0.05, corner: DVec2::ZERO, turn: DVec2::X, levels }
+        Self { image, resolution_m, corner: DVec2::ZERO, turn: DVec2::X, levels }
     }
 
     /// The walls in the bytes of its picture; messages call the files by their names.
@@ -161,7 +164,17 @@ impl Meta {
     ) -> Result<Map, MapError> {
         let wrong = |why: String| MapError::Image { file: file.to_owned(), image: image.to_owned(), why };
         let cells = Cells::decode(picture, self.levels, unknown).map_err(|error| wrong(error.to_string()))?;
-        to_map(&cells, self.resolution_m, simplify_m, |corner| self.place(corner), wrong)
+        let map = to_map(&cells, self.resolution_m, simplify_m, |corner| self.place(corner), wrong)?;
+        let count = cells.cols() * cells.rows();
+        let taken = if unknown == Unknown::Rock { "rock" } else { "free" };
+        let percent = (100.0 * cells.unknown() as f64 / count as f64).round();
+        let cells = format!(
+            "cells of {} m; {percent} % of them are unknown, and taken as {taken}",
+            self.resolution_m
+        );
+        let mut import = Import::of("ROS map");
+        import.say(RemarkKind::Read, count, cells);
+        Ok(map.with_import(import))
     }
 
     /// A place in cells from the picture's lower-left corner, in the file's own frame (m).

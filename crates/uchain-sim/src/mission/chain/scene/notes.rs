@@ -6,10 +6,17 @@ use crate::radio::{Antenna, Disc};
 impl Course {
     /// What keeps relays on the ground, or the head from its way, although every value is one that may be asked for.
     pub fn notes(&self) -> Vec<String> {
-        [self.row(), self.reception(), self.scenario.radio.note(), self.range(), self.speed()]
-            .into_iter()
-            .flatten()
-            .collect()
+        [
+            self.map.import().note(),
+            self.row(),
+            self.reception(),
+            self.scenario.radio.note(),
+            self.range(),
+            self.speed(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
     }
 
     /// UAVs that wait so far from the base that the first of them is over the threshold from the start. The next in

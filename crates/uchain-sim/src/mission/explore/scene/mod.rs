@@ -105,7 +105,14 @@ impl Site {
     pub fn notes(&self) -> Vec<String> {
         let (ground, params) = (self.ground(), &self.scenario.params);
         let (reach_m2, shut_off_m2) = (ground.area_m2(), ground.shut_off_m2());
-        let mut notes: Vec<String> = self.moved.iter().cloned().chain(self.radio_notes()).collect();
+        let mut notes: Vec<String> = self
+            .map
+            .import()
+            .note()
+            .into_iter()
+            .chain(self.moved.iter().cloned())
+            .chain(self.radio_notes())
+            .collect();
         if shut_off_m2 > NOTED * reach_m2 {
             notes.push(format!(
                 "{shut_off_m2:.1} m2 of free ground lie behind passages narrower than {} m, two explore.r_body_m: robots \
