@@ -100,8 +100,9 @@ fn corners(line: &LineString, snap_m: f64, snapped: &mut usize) -> Vec<DVec2> {
 
 /// Draws corners that lie in one place apart; says how many there were. Free space is on the left of every loop.
 fn draw_apart(loops: &mut [Vec<DVec2>]) -> usize {
-    // The places as they will be rounded.
-    let place = |at: DVec2| (at.x as f32).to_bits() as u64 | u64::from((at.y as f32).to_bits()) << 32;
+    // The places as they will be rounded; both zeros are one place.
+    let bits = |value: f64| u64::from((value as f32 + 0.0).to_bits());
+    let place = |at: DVec2| bits(at.x) | bits(at.y) << 32;
     let mut times: HashMap<u64, usize> = HashMap::new();
     for &at in loops.iter().flatten() {
         *times.entry(place(at)).or_default() += 1;

@@ -7,7 +7,7 @@ mod made_of;
 #[cfg(test)]
 mod tests;
 
-use geo::{Coord, LineString, Polygon};
+use geo::{Coord, LineString, Orient, Polygon, orient::Direction};
 use glam::DVec2;
 
 use super::{Import, Map, MapError, Material, Place, RemarkKind};
@@ -163,7 +163,9 @@ impl Local {
     }
 
     fn polygon(&self, shape: &Shape) -> Polygon {
-        Polygon::new(self.line(&shape.outline), shape.holes.iter().map(|hole| self.line(hole)).collect())
+        let holes = shape.holes.iter().map(|hole| self.line(hole)).collect();
+        // A hole that runs the way of its outline would count as filled.
+        Polygon::new(self.line(&shape.outline), holes).orient(Direction::Default)
     }
 
     fn wall(&self, wall: &Wall) -> Vec<(Polygon, Option<usize>)> {

@@ -40,9 +40,19 @@ fn a_picture_without_a_yaml_is_read_as_map_saver_writes_them() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("room.pgm");
     fs::write(&file, PGM).unwrap();
-    let bounds = |cell_m| read_ros(&file, Unknown::Rock, cell_m, 0.0).unwrap().bounds();
-    assert_eq!(bounds(None), (vec2(-0.05, -0.025), vec2(0.05, 0.025)));
-    assert_eq!(bounds(Some(2.0)), (vec2(-2.0, -1.0), vec2(2.0, 1.0)));
+    let bounds = |cell_m| read_ros(&file, Unknown::Rock, cell_m, 0.0).map(|map| map.bounds());
+    assert_eq!(bounds(Some(0.05)).unwrap(), (vec2(-0.05, -0.025), vec2(0.05, 0.025)));
+    assert_eq!(bounds(Some(2.0)).unwrap(), (vec2(-2.0, -1.0), vec2(2.0, 1.0)));
+    // Its scale stands nowhere: nobody guesses it.
+    let said = bounds(None).unwrap_err().to_string();
+    assert!(
+        said.contains("a picture does not say how large its pixels are") && said.contains("--cell 0.05"),
+        "{said}"
+    );
+    // By what it holds, not by what it is called.
+    let other = folder.path().join("room");
+    fs::write(&other, PGM).unwrap();
+    assert_eq!(read_ros(&other, Unknown::Rock, Some(0.05), 0.0).unwrap().bounds().1, vec2(0.05, 0.025));
 }
 
 #[test]
