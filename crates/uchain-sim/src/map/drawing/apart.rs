@@ -1,6 +1,6 @@
 //! From areas to wall loops that neither touch nor have edges of no length.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use geo::{
     Area, Buffer, LineString, MultiPolygon, Orient, Polygon,
@@ -65,7 +65,8 @@ pub(super) fn loops(
         moved,
         "corners where walls touch: drawn apart by less than a millimetre",
     );
-    Ok(loops.into_iter().map(|corners| corners.into_iter().map(|at| at.as_vec2()).collect()).collect())
+    let rounded = |corners: Vec<DVec2>| corners.iter().map(|at| at.as_vec2()).collect();
+    Ok(loops.into_iter().map(rounded).collect())
 }
 
 fn is_sliver(area: &Polygon) -> bool {
@@ -103,7 +104,7 @@ fn draw_apart(loops: &mut [Vec<DVec2>]) -> usize {
     // The places as they will be rounded; both zeros are one place.
     let bits = |value: f64| u64::from((value as f32 + 0.0).to_bits());
     let place = |at: DVec2| bits(at.x) | bits(at.y) << 32;
-    let mut times: HashMap<u64, usize> = HashMap::new();
+    let mut times: BTreeMap<u64, usize> = BTreeMap::new();
     for &at in loops.iter().flatten() {
         *times.entry(place(at)).or_default() += 1;
     }

@@ -28,7 +28,7 @@ fn is_free(map: &Map, at: [f64; 2]) -> bool {
 }
 
 fn said(map: &Map) -> String {
-    map.import().remarks.iter().map(|remark| format!("{remark}\n")).collect()
+    map.import().remarks.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
 #[test]

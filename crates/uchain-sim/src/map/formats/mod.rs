@@ -3,6 +3,8 @@
 
 mod corridor;
 mod csv;
+#[cfg(all(test, feature = "drawings"))]
+mod hostile;
 mod moving_ai;
 pub(in crate::map) mod ros;
 #[cfg(feature = "schema")]
