@@ -131,6 +131,20 @@ pub enum MapError {
         /// Size of the cells that were searched (m).
         cell_m: f64,
     },
+    /// Two places with no way between them that is wide enough.
+    #[error(
+        "the way there is only {width_m:.2} m wide at ({x:.2}, {y:.2}) m; expected at least {needs_m:.2} m, what a UAV takes"
+    )]
+    TooNarrow {
+        /// Where the widest way is narrowest, in the frame of the map's file (m).
+        x: f64,
+        /// Where the widest way is narrowest, in the frame of the map's file (m).
+        y: f64,
+        /// Its width there (m).
+        width_m: f32,
+        /// What is needed (m).
+        needs_m: f32,
+    },
     /// A file that cannot be read.
     #[error("{}: {why}", file.display())]
     Read {

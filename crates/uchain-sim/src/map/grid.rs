@@ -98,6 +98,11 @@ impl Grid {
         self.cols * self.rows
     }
 
+    /// Side of a cell (m).
+    pub(super) fn cell_m(&self) -> f64 {
+        self.cell_m
+    }
+
     pub(super) fn starts_row(&self, cell: usize) -> bool {
         cell.is_multiple_of(self.cols)
     }

@@ -7,6 +7,7 @@
 //! [`corridor`] builds a tunnel from a centre line; [`drawn`] takes wall loops as they are; [`read_ros`] reads a
 //! `map_server` map, [`read_moving_ai`] a MovingAI grid;
 //! [`Map::centre_path`] finds the middle of a tunnel nobody drew;
+//! [`Map::tunnel_graph`] finds the middle of all passages, [`Map::numbers`] counts and measures them;
 //! [`Geodesic`] measures the way through free space, [`Tunnel`] the depth along the middle.
 
 mod cells;
@@ -19,9 +20,11 @@ mod geodesic;
 mod geometry;
 mod grid;
 mod import;
+mod numbers;
 #[cfg(feature = "maps")]
 mod raster;
 mod rays;
+mod skeleton;
 #[cfg(test)]
 mod tests;
 mod tunnel;
@@ -49,6 +52,8 @@ pub use formats::{ros_in_memory, ros_picture};
 pub use geodesic::{Geodesic, MOST_CORNERS, Trail};
 pub use geometry::Segment;
 pub use import::{Import, Material, Place, Remark, RemarkKind};
+pub use numbers::{MapNumbers, Narrowest, STAR_WIDTH_M, UAV_MARGIN_M, Widths};
+pub use skeleton::{GraphEdge, GraphNode, NARROWEST_M, NodeKind, TunnelGraph, WayTree};
 pub use tunnel::{CentreLine, Tunnel};
 pub use ways::Ways;
 
@@ -256,9 +261,13 @@ impl Map {
 
     /// Distance from `p` to the nearest wall (m), on whichever side of it `p` lies. NaN for a `p` that is no point.
     pub fn clearance_m(&self, p: Vec2) -> f32 {
-        let p = p.as_dvec2();
+        self.clearance_f64_m(p.as_dvec2()) as f32
+    }
+
+    /// [`Map::clearance_m`] without rounding.
+    fn clearance_f64_m(&self, p: DVec2) -> f64 {
         if !p.is_finite() {
-            return f32::NAN;
+            return f64::NAN;
         }
         let mut best = f64::INFINITY;
         if self.grid.cell_at(p).is_none() {
@@ -266,7 +275,7 @@ impl Map {
                 let (a, b) = wall.ends();
                 best = best.min(distance_squared(a, b, p));
             }
-            return best.sqrt() as f32;
+            return best.sqrt();
         }
         for ring in 0.. {
             let sure_m = self.grid.ring(p, ring, |cell| {
@@ -280,7 +289,7 @@ impl Map {
                 _ => break,
             }
         }
-        best.sqrt() as f32
+        best.sqrt()
     }
 
     /// Visits every wall that comes within `reach_m` of a place, a few that do not, and some more than once.

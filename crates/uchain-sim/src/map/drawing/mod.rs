@@ -2,7 +2,6 @@
 //! which may cross and lie over one another. The readers of drawings make a [`Drawing`] and know no more of geometry.
 
 mod apart;
-mod crossings;
 mod free;
 mod made_of;
 #[cfg(test)]
@@ -98,7 +97,6 @@ impl Drawing {
             .chain(self.walls.iter().flat_map(|wall| local.wall(wall)))
             .collect();
         let drawn: Vec<Polygon> = self.free.iter().map(|shape| local.polygon(shape)).collect();
-        crossings::few(drawn.iter().chain(solids.iter().map(|(polygon, _)| polygon)))?;
         let free = free::free(&drawn, &solids, self.outside, &mut self.import)?;
         let loops = apart::loops(&free, self.snap_m, &mut self.import)?;
         let mut map = Map::from_loops(loops)?.with_offset_m(middle.into());

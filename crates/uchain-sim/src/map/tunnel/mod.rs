@@ -2,6 +2,7 @@
 
 pub(super) mod centre_line;
 mod path;
+mod route;
 mod settle;
 #[cfg(test)]
 mod tests;

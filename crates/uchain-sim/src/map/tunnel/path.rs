@@ -32,15 +32,7 @@ impl Map {
     /// # Errors
     /// An end in rock; ends less than 1 mm apart; no way between them.
     pub fn centre_path(&self, from: Vec2, to: Vec2) -> Result<CentreLine, MapError> {
-        for p in [from, to] {
-            if self.in_rock(p) {
-                return Err(MapError::InRock { x: f64::from(p.x), y: f64::from(p.y) });
-            }
-        }
-        let apart_m = f64::from(from.distance(to));
-        if apart_m < SHORTEST_M {
-            return Err(MapError::OnePlace { apart_m, least_m: SHORTEST_M });
-        }
+        are_two_places(self, from, to)?;
         let mut search = Search::new(self, from, to);
         let rough = search.run(from, to).ok_or_else(|| MapError::NoWay {
             from_x: from.x.into(),
@@ -51,6 +43,33 @@ impl Map {
         })?;
         Ok(CentreLine::through(&settle(self, &rough, search.cell_m)))
     }
+}
+
+/// Two places of free space with a way to speak of between them.
+pub(super) fn are_two_places(map: &Map, from: Vec2, to: Vec2) -> Result<(), MapError> {
+    for p in [from, to] {
+        if map.in_rock(p) {
+            return Err(MapError::InRock { x: f64::from(p.x), y: f64::from(p.y) });
+        }
+    }
+    let apart_m = f64::from(from.distance(to));
+    if apart_m < SHORTEST_M {
+        return Err(MapError::OnePlace { apart_m, least_m: SHORTEST_M });
+    }
+    Ok(())
+}
+
+/// Side of the cells that the clearance at the two ends asks for (m).
+fn cell_wanted_m(map: &Map, from: Vec2, to: Vec2) -> f64 {
+    let nearest_m = f64::from(map.clearance_m(from).min(map.clearance_m(to)));
+    bounded(nearest_m / CELLS_PER_CLEARANCE, CELL_M.0, CELL_M.1)
+}
+
+/// How many cells a search between two places would be over, were there no limit.
+pub(super) fn cells_wanted(map: &Map, from: Vec2, to: Vec2) -> f64 {
+    let (low, high) = map.bounds();
+    let cells = ((high - low).as_dvec2() / cell_wanted_m(map, from, to)).floor() + 1.0;
+    cells.x * cells.y
 }
 
 /// Dijkstra's algorithm over the cells themselves, in f64: as a graph they would be up to 32 million arcs, of which most
@@ -71,8 +90,7 @@ impl<'m> Search<'m> {
     fn new(map: &'m Map, from: Vec2, to: Vec2) -> Self {
         let (low, high) = map.bounds();
         let (low, size) = (low.as_dvec2(), (high - low).as_dvec2());
-        let nearest_m = f64::from(map.clearance_m(from).min(map.clearance_m(to)));
-        let mut cell_m = bounded(nearest_m / CELLS_PER_CLEARANCE, CELL_M.0, CELL_M.1);
+        let mut cell_m = cell_wanted_m(map, from, to);
         let count = |cell_m: f64| ((size.x / cell_m).floor() + 1.0, (size.y / cell_m).floor() + 1.0);
         let (mut cols, mut rows) = count(cell_m);
         while cols * rows > MOST_CELLS {

@@ -76,3 +76,32 @@ fn a_centre_path_needs_two_places_in_one_tunnel() {
     let none = rooms.centre_path(vec2(0.5, 0.5), vec2(2.5, 0.5)).unwrap_err();
     assert!(none.to_string().starts_with("no way leads from (0.5, 0.5) to (2.5, 0.5) m"), "{none}");
 }
+
+#[test]
+fn a_short_tunnel_is_the_centre_path_to_the_last_bit() {
+    let (map, line) = built(&[(0.0, 0.0, 0.0), (9.0, 0.0, 0.0), (9.0, 8.0, 0.0)], 1.0, false);
+    let (from, to) = (line.at(1.5).0, line.at(15.0).0);
+    assert_eq!(map.tunnel_between(from, to, 0.06).unwrap(), map.centre_path(from, to).unwrap());
+}
+
+#[test]
+fn a_tunnel_too_long_or_too_narrow_for_cells_is_found_all_the_same() {
+    // Three legs, 6 km in all; cells that fit into its box would be as wide as it is.
+    let corners = [(0.0, 0.0, 0.0), (2_000.0, 0.0, 0.0), (2_000.0, 2_000.0, 0.0), (0.0, 2_000.0, 0.0)];
+    let (map, line) = built(&corners, 0.3, false);
+    let (from, to) = (line.at(1.0).0, line.at(5_999.0).0);
+    assert!(matches!(map.centre_path(from, to), Err(MapError::NoWay { .. })));
+    let tunnel = map.tunnel_between(from, to, 0.06).unwrap();
+    assert!((tunnel.length_m() - 5_998.0).abs() < 1.0, "{}", tunnel.length_m());
+    assert!(apart_m(&tunnel, &line, 0.0, tunnel.length_m()) < 0.2);
+    let narrow = map.tunnel_between(from, to, 0.5).unwrap_err().to_string();
+    assert!(
+        narrow.starts_with("the way there is only 0.")
+            && narrow.ends_with("expected at least 1.00 m, what a UAV takes"),
+        "{narrow}"
+    );
+    assert_eq!(
+        map.tunnel_between(from, vec2(1.0, 5.0), 0.06).unwrap_err(),
+        MapError::InRock { x: 1.0, y: 5.0 }
+    );
+}

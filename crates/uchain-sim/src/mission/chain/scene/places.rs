@@ -71,7 +71,7 @@ impl Spots<'_> {
             return wrong(&format!("the goal is {in_rock}; expected free space"));
         }
         let Some(line) = line else {
-            let path = self.map.centre_path(base, goal);
+            let path = self.map.tunnel_between(base, goal, self.radius_m);
             let line = path.map_err(|cause| refuse(self.document, "chain.goal_m", cause))?;
             let (_, heading_rad) = line.at(0.0);
             return Ok(Some(Tunnel::new(line, base, heading_rad)));
