@@ -9,7 +9,7 @@ use uchain_sim::{
     config::builtin,
     mission::{
         Keep, Log,
-        chain::{PlanError, plan_while},
+        chain::{PlanError, PlanOptions, plan_while},
     },
     record::{
         RecordError,
@@ -110,7 +110,7 @@ fn who_no_longer_wants_a_plan_or_a_verdict_gets_none() {
         rows += 1;
         rows <= 3
     };
-    assert_eq!(plan_while(&straight, None, 1.0, None, &mut three_rows), Err(PlanError::Interrupted));
+    assert_eq!(plan_while(&straight, &PlanOptions::default(), &mut three_rows), Err(PlanError::Interrupted));
     assert_eq!(rows, 4);
 
     let mut file = Vec::new();

@@ -14,11 +14,15 @@ fn a_plan_is_a_table_an_answer_a_file_and_a_picture() {
     // 12 m past a corner 3.5 m in: one relay near the corner, one on the way.
     let answer = "12.5 m need 2 relays (3 UAVs); the head is there after 1.0 min; the first relay then has hovered 0.7 min;";
     assert!(stdout(&output).contains(answer), "{}", stdout(&output));
-    assert!(stdout(&output).ends_with("files: plans/corner/plan.json and plan.png\n"), "{}", stdout(&output));
+    assert!(
+        stdout(&output).ends_with("files: plans/corner/plan.json, plan.png, places.csv and places.geojson\n"),
+        "{}",
+        stdout(&output)
+    );
 
     let results = here.path().join("plans/corner");
     let names: Vec<_> = files(&results).iter().map(|path| path.file_name().unwrap().to_owned()).collect();
-    assert_eq!(names, ["plan.json", "plan.png"]);
+    assert_eq!(names, ["places.csv", "places.geojson", "plan.json", "plan.png"]);
     let picture = image::load_from_memory(&fs::read(results.join("plan.png")).unwrap()).unwrap();
     assert_eq!(picture.width(), 1400);
 }
@@ -54,7 +58,11 @@ fn what_is_at_hand_changes_the_answer() {
         assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
         stdout(&output).lines().rev().nth(1).unwrap().to_owned()
     };
-    assert!(answer(&[]).ends_with("a battery lasts 7.0 min: long enough."), "{}", answer(&[]));
+    assert!(
+        answer(&[]).ends_with("a battery lasts 5.6 min and the reserve: long enough."),
+        "{}",
+        answer(&[])
+    );
     let few = answer(&["--uavs", "2"]);
     assert!(few.starts_with("12 m need 2 relays (3 UAVs), 2 at hand: too few; "), "{few}");
     assert!(few.ends_with(" m can be done."), "{few}");
@@ -161,4 +169,126 @@ fn a_plan_that_cannot_be_made_says_why_and_writes_nothing() {
         );
         assert!(files(here.path()).is_empty(), "{args:?}");
     }
+}
+
+#[test]
+fn a_plan_says_what_it_assumes_where_relays_stand_and_whose_battery_lasts() {
+    let here = folder();
+    let output = uchain(here.path(), &["plan", "staircase", "--stay", "0.5", "--reserve", "0.1"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let said = stdout(&output);
+    for wanted in [
+        "\nassumed\n",
+        "dB on every link (takeoff.s_min_db)",
+        "stays 0.5 min",
+        "10 % stay in reserve",
+        "\nplaces with the head ",
+        "\nbatteries: ",
+        "\nwould help: a head at ",
+        "the head is short of battery by ",
+        "\nrelays if one number is a little off: s_min -1 dB: ",
+    ] {
+        assert!(said.contains(wanted), "no {wanted:?} in\n{said}");
+    }
+    let results = here.path().join("plans/staircase");
+    let plan: Value = serde_json::from_str(&fs::read_to_string(results.join("plan.json")).unwrap()).unwrap();
+    let places = plan["places"].as_array().unwrap();
+    assert_eq!(places.len() as u64 + 1, plan["uavs_needed"].as_u64().unwrap());
+    let csv = fs::read_to_string(results.join("places.csv")).unwrap();
+    assert_eq!(csv.lines().count(), places.len() + 1);
+    for (row, place) in csv.lines().skip(1).zip(places) {
+        let x_m: f64 = row.split(',').nth(1).unwrap().parse().unwrap();
+        assert!((x_m - place["x_m"].as_f64().unwrap()).abs() < 1e-3, "{row}");
+        assert!(place["margin_db"].as_f64().unwrap() >= 0.0, "{place}");
+    }
+    let drawn: Value =
+        serde_json::from_str(&fs::read_to_string(results.join("places.geojson")).unwrap()).unwrap();
+    let features = drawn["features"].as_array().unwrap();
+    let of = |kind: &str| features.iter().filter(|one| one["properties"]["kind"] == kind).count();
+    assert_eq!((of("base"), of("relay"), of("head"), of("link")), (1, places.len(), 1, places.len() + 1));
+    assert!(said.contains(plan["verdict"].as_str().unwrap()));
+}
+
+#[test]
+fn what_a_plan_says_would_help_does_help() {
+    let here = folder();
+    let plan = |args: &[&str]| {
+        let output = uchain(here.path(), &[&["plan", "staircase", "--json"], args].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        serde_json::from_str::<Value>(stdout(&output)).unwrap()
+    };
+    let short = plan(&[]);
+    assert_eq!(short["batteries"]["all_home"], false);
+    let ways: Vec<&str> = short["would_help"].as_str().unwrap().split("; ").collect();
+    for way in &ways[..2] {
+        let (_, args) = way.trim_end_matches(')').split_once('(').unwrap();
+        let helped = plan(&args.split(' ').collect::<Vec<_>>());
+        assert_eq!(helped["batteries"]["all_home"], true, "{way}");
+    }
+    let from_m = short["batteries"]["home_from_m"].as_f64().unwrap();
+    assert_eq!(plan(&["--to", &from_m.to_string()])["batteries"]["all_home"], true);
+    assert_eq!(plan(&["--to", &(from_m + 0.1).to_string()])["batteries"]["all_home"], false);
+}
+
+#[test]
+fn a_link_budget_sets_limit_and_reference_loss_in_path_loss_and_is_printed_in_dbm() {
+    let here = folder();
+    let given = "tx_dbm=0,tx_gain_dbi=2,rx_gain_dbi=2,sensitivity_dbm=-85,margin_db=20,frequency_mhz=2450";
+    let output = uchain(here.path(), &["plan", "straight", "--budget", given]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let said = stdout(&output);
+    // 0 + 2 + 2 + 85 - 20 = 69 dB, received at -65 dBm; 28.2 dB at 0.25 m.
+    for wanted in
+        ["links of at most 69 dB", "28.2 dB at 0.25 m", "takeoff.s_min_db                69             -65"]
+    {
+        assert!(said.contains(wanted), "no {wanted:?} in\n{said}");
+    }
+    // What is printed to fly by it is what the plan was made with.
+    let sets = said.lines().find_map(|line| line.trim().strip_prefix("to fly by it: ")).unwrap();
+    let json = |args: &[&str]| {
+        let output = uchain(here.path(), &[&["plan", "straight", "--json"], args].concat());
+        serde_json::from_str::<Value>(stdout(&output)).unwrap()
+    };
+    let by_hand = json(&sets.split(' ').collect::<Vec<_>>());
+    let by_budget = json(&["--budget", given]);
+    assert_eq!(by_hand["rows"], by_budget["rows"]);
+    assert_eq!(by_hand["places"], by_budget["places"]);
+    assert_ne!(json(&[])["rows"], by_budget["rows"], "the control: without it the plan is another");
+    fs::write(here.path().join("radio.toml"), given.replace(',', "\n")).unwrap();
+    assert_eq!(json(&["--budget", "radio.toml"])["budget"], by_budget["budget"]);
+    assert_eq!(json(&["--budget", "crazyflie"])["s_min_db"].as_f64(), Some(65.0));
+    for (wrong, wanted) in [
+        ("tx_dbm=0", "missing field `sensitivity_dbm`"),
+        ("tx_dbm=0,sensitivity_dbm=-85,gain=2", "unknown field `gain`"),
+        ("crazyfly", "expected crazyflie, a file that ends in .toml, or key=value"),
+    ] {
+        let refused = uchain(here.path(), &["plan", "straight", "--budget", wrong]);
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(stderr(&refused).contains(wanted), "{}", stderr(&refused));
+    }
+}
+
+#[test]
+fn flights_are_set_beside_the_plan() {
+    let here = folder();
+    let args = ["plan", "straight", "--to", "9", "--fly", "2", "--out", "flown"];
+    let output = uchain(here.path(), &args);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let said = stdout(&output);
+    assert!(said.contains("\nflown 2 times for ") && said.contains("A plan is a best case"), "{said}");
+    let json = fs::read_to_string(here.path().join("flown/plan.json")).unwrap();
+    let plan: Value = serde_json::from_str(&json).unwrap();
+    let flown = &plan["flown"];
+    assert_eq!(flown["uavs"], plan["uavs_needed"]);
+    let runs = flown["runs"].as_array().unwrap();
+    assert_eq!((runs.len(), runs[0]["seed"].as_u64(), runs[1]["seed"].as_u64()), (2, Some(1), Some(2)));
+    let reach_m = |run: &Value| run["reach_m"].as_f64().unwrap();
+    assert!(runs.iter().all(|run| (3.0..9.6).contains(&reach_m(run))), "{flown}");
+    assert_eq!(reach_m(&flown["worst"]), reach_m(&runs[0]).min(reach_m(&runs[1])));
+    assert_ne!(
+        runs[0]["worst_link_db"], runs[1]["worst_link_db"],
+        "the control: another seed is another flight"
+    );
+    let again = uchain(here.path(), &args);
+    assert_eq!((again.status.code(), stdout(&again)), (Some(0), said), "the same seeds, the same flights");
 }

@@ -97,3 +97,22 @@ def test_an_optimum_that_there_is_not_is_refused_in_words():
         uchain.optimum("straight", 99)
     with pytest.raises(ValueError, match="relays = -1: expected a whole number"):
         uchain.optimum("straight", relays=-1)
+
+
+def test_places_batteries_budget_and_flights_are_those_of_the_command_line(cli: pathlib.Path, tmp_path: pathlib.Path):
+    words = ["straight", "--to", "9", "--stay", "1.5", "--reserve", "0.1", "--budget", "crazyflie", "--fly", "2"]
+    told, text, _ = plan_of(cli, tmp_path, *words)
+    asked: dict[str, Any] = {"to_m": 9, "stay_min": 1.5, "reserve": 0.1, "budget": "crazyflie"}
+    plan = uchain.plan("straight", fly=2, **asked)
+    assert plan.summary.to_dict() == told and str(plan) == text[: text.index("files: ")]
+    assert len(told["flown"]["runs"]) == 2 and told["budget"]["tx_dbm"] == 0
+    keys = {"tx_dbm": 0, "sensitivity_dbm": -85, "margin_db": 20}
+    assert uchain.plan("straight", **{**asked, "budget": keys}).summary["budget"] == told["budget"]
+    relays = uchain.plan("straight", to_m=12).places
+    np.testing.assert_allclose(relays["depth_m"], [8, 4], atol=0.01)
+    np.testing.assert_allclose(relays["margin_db"], 60 - 59.08, atol=0.02)
+    for wrong, words in [({"stay_min": -1}, "expected minutes"), ({"reserve": 1}, "expected a share")]:
+        with pytest.raises(ValueError, match=words):
+            uchain.plan("straight", **wrong)
+    with pytest.raises(ValueError, match="unknown field `gain`"):
+        uchain.plan("straight", budget={"gain": 2.0})

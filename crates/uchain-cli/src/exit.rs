@@ -15,7 +15,8 @@ use uchain_sim::{
         RecordError,
         mcap::{About, PlayError, ReadError},
     },
-    registry::{FlightError, PlanRequestError},
+    registry::{FlightError, PlanFlightError, PlanRequestError, named},
+    run::RunError,
     sweep::{DesignError, folder::FolderError, report::ReportError},
 };
 
@@ -85,8 +86,13 @@ pub(crate) enum Failure {
          an installed uchain takes it along with `cargo install --path crates/uchain-cli --features view`"
     )]
     NoPage,
-    #[error("{map} is a bare map: add {missing}, in the map's own frame (m), such as --base=-50.15,34.03")]
-    BareMap { map: String, missing: &'static str },
+    #[error(
+        "{map} is a bare map: add {missing}, in the map's own frame (m), such as --base=-50.15,34.03; `uchain map plot {map}` \
+         draws it with its coordinates{places}"
+    )]
+    BareMap { map: String, missing: &'static str, places: String },
+    #[error(transparent)]
+    PlanFlight(PlanFlightError),
     #[error("{} holds something else ({found}); name another folder, or add --force to write there all the same", folder.display())]
     Occupied { folder: PathBuf, found: String },
     #[error("{} holds another run ({found}); name another folder with --out", folder.display())]
@@ -148,15 +154,24 @@ impl From<PlanRequestError> for Failure {
     fn from(error: PlanRequestError) -> Self {
         match error {
             PlanRequestError::Config(error) => Self::Input(error),
-            PlanRequestError::BareMap { map, needs_base, needs_goal } => {
+            PlanRequestError::BareMap { map, needs_base, needs_goal, places } => {
                 let missing = match (needs_base, needs_goal) {
                     (true, false) => "--base X,Y",
                     (false, true) => "--goal X,Y",
                     _ => "--base X,Y and --goal X,Y",
                 };
-                Self::BareMap { map, missing }
+                Self::BareMap { map, missing, places: named(&places) }
             }
             error => Self::Map(error.to_string()),
+        }
+    }
+}
+
+impl From<PlanFlightError> for Failure {
+    fn from(error: PlanFlightError) -> Self {
+        match error {
+            PlanFlightError::Run(RunError::Record(RecordError::Interrupted { .. })) => Self::Interrupted,
+            error => Self::PlanFlight(error),
         }
     }
 }
@@ -225,8 +240,14 @@ impl Failure {
 
     pub(crate) fn exit(&self) -> Exit {
         match self {
+            Self::Interrupted
+            | Self::Plan(PlanError::Interrupted)
+            | Self::Incomplete(FolderError::Interrupted)
+            | Self::Run(RecordError::Interrupted { .. })
+            | Self::Cut { error: RecordError::Interrupted { .. }, .. } => Exit::Interrupted,
             Self::Input(_)
             | Self::Plan(_)
+            | Self::PlanFlight(_)
             | Self::Log(_)
             | Self::Map(_)
             | Self::NoPage
@@ -240,10 +261,6 @@ impl Failure {
             | Self::OwnInput { .. }
             | Self::Busy { .. }
             | Self::Folder { .. } => Exit::Usage,
-            Self::Interrupted
-            | Self::Incomplete(FolderError::Interrupted)
-            | Self::Run(RecordError::Interrupted { .. })
-            | Self::Cut { error: RecordError::Interrupted { .. }, .. } => Exit::Interrupted,
             Self::Differ | Self::DigestDiffers { .. } => Exit::Differ,
             Self::Sweep(error) => sweep_exit(error),
             Self::Write { .. }

@@ -31,6 +31,22 @@ impl Out {
     }
 }
 
+/// How a map file is read that does not say everything itself. Where a branch ends is up to each command: --to.
+#[derive(Debug, Default, Args)]
+pub(crate) struct MapArgs {
+    /// Side of a cell or pixel, where the map file does not say it
+    #[arg(long, value_name = "M", value_parser = cell, allow_hyphen_values = true)]
+    pub(crate) cell: Option<f64>,
+    /// Survey station where the branch begins that is cut out of a cave (needs --to)
+    #[arg(long, value_name = "STATION")]
+    pub(crate) from: Option<String>,
+}
+
+fn cell(text: &str) -> Result<f64, String> {
+    let cell_m = text.parse().ok().filter(|cell_m: &f64| cell_m.is_finite() && *cell_m > 0.0);
+    cell_m.ok_or_else(|| "expected a length in metres, more than 0, such as 0.05".to_owned())
+}
+
 /// What is written over a scenario.
 #[derive(Debug, Args)]
 pub(crate) struct Sets {

@@ -62,8 +62,8 @@ pub(crate) const PLAN: Names = Names {
     numbers: "plan.json",
     picture: "plan.png",
     recording: None,
-    others: &[],
-    replaces: &["plan.json", "plan.png"],
+    others: &["places.csv", "places.geojson"],
+    replaces: &["plan.json", "plan.png", "places.csv", "places.geojson"],
 };
 /// What `uchain node` leaves.
 pub(crate) const NODE: Names = Names {

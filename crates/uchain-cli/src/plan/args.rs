@@ -1,22 +1,28 @@
 //! Arguments of `uchain plan`.
 
 use clap::{Args, ValueHint};
-use uchain_sim::mission::chain::UAVS_MAX;
+use uchain_sim::{mission::chain::UAVS_MAX, radio::LinkBudget, registry::Spot};
 
-use crate::flags::{Out, Say, Sets};
+use crate::flags::{MapArgs, Out, Say, Sets};
 
-const BASE: &str = "Where the base station stands (short for --set 'chain.base_m=[X, Y]')";
+const BASE: &str = "Where the base station stands: X,Y in the map's own frame, or a place that the map names";
 const HEADING: &str = "Direction of the tunnel at the base (short for --set chain.heading_deg=DEG)";
-const GOAL: &str = "The deepest place the head may be sent to (short for --set 'chain.goal_m=[X, Y]')";
+const GOAL: &str = "The deepest place the head may be sent to: X,Y, or a place that the map names";
+const BUDGET: &str = "Work limit and reference loss out of a link budget, all in path loss: crazyflie, a .toml file, or \
+                      key=value,… of tx_dbm, tx_gain_dbi, rx_gain_dbi, sensitivity_dbm, margin_db, frequency_mhz";
 
 const EXAMPLES: &str = "\
 Examples:
   uchain plan corner
   uchain plan ./mine.toml --to 12 --uavs 6 --set takeoff.s_min_db=65
-  uchain plan basement.yaml --base=-50.15,34.03 --goal=-3,25.7 --speed 0.1
+  uchain plan basement.yaml --base=-50.15,34.03 --goal=-3,25.7 --speed 0.1 --stay 2
+  uchain plan map.pgm --cell 0.1 --base=2,2 --goal=40.5,14.5   a picture, 0.1 m a pixel
+  uchain plan corner --budget crazyflie --fly 2   a radio's data sheet, and two flights
 
-A bare ROS map (map_server's yaml) needs --base and --goal, in the map's own frame; everything else
-has a default. Writes plan.json and plan.png.
+A bare map needs --base and --goal: X,Y in the map's own frame, or places that it names. --from and --to cut a
+branch out of a cave survey, with base and goal at its ends. What is assumed is said first; then relays against
+depth, where they stand, whose battery lasts for the way in and back, and how much hangs on a decibel. Nothing is
+flown but with --fly. Writes plan.json, plan.png, places.csv and places.geojson.
 ";
 
 /// One plan.
@@ -25,12 +31,12 @@ has a default. Writes plan.json and plan.png.
 #[command(mut_arg("out", |out| out.help("Folder for the results [default: plans/<scenario or file>, overwritten]")))]
 #[command(mut_arg("json", |json| json.help("Print the whole plan as JSON on stdout, and nothing else there")))]
 pub(crate) struct Plan {
-    /// Name of a built-in scenario, path of a scenario file, or of a ROS map (ends in .yaml)
+    /// Name of a built-in scenario, path of a scenario file, or of a map
     #[arg(value_name = "NAME|FILE|MAP", value_hint = ValueHint::FilePath)]
     pub(crate) what: String,
-    /// How deep the head is to go [default: as deep as the tunnel is known]
-    #[arg(long, value_name = "M", value_parser = length, allow_hyphen_values = true)]
-    pub(crate) to: Option<f64>,
+    /// How deep the head is to go [default: as deep as the tunnel is known]; with --from, where the branch ends
+    #[arg(long, value_name = "M|STATION", value_parser = to, allow_hyphen_values = true)]
+    pub(crate) to: Option<To>,
     /// Distance between the rows [default: 10 to 20 rows, finer in the files]
     #[arg(long, value_name = "M", value_parser = length, allow_hyphen_values = true)]
     pub(crate) step: Option<f64>,
@@ -40,12 +46,25 @@ pub(crate) struct Plan {
     /// Speed of the head [default: the scenario's; for a bare map 0.2]
     #[arg(long, value_name = "MPS", value_parser = speed, allow_hyphen_values = true)]
     pub(crate) speed: Option<f32>,
-    #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true, help = BASE)]
-    pub(crate) base: Option<[f64; 2]>,
+    #[arg(long, value_name = "X,Y|NAME", value_parser = spot, allow_hyphen_values = true, help = BASE)]
+    pub(crate) base: Option<Spot>,
     #[arg(long, value_name = "DEG", value_parser = angle, allow_hyphen_values = true, help = HEADING)]
     pub(crate) heading: Option<f64>,
-    #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true, help = GOAL)]
-    pub(crate) goal: Option<[f64; 2]>,
+    #[arg(long, value_name = "X,Y|NAME", value_parser = spot, allow_hyphen_values = true, help = GOAL)]
+    pub(crate) goal: Option<Spot>,
+    #[command(flatten)]
+    pub(crate) map: MapArgs,
+    /// How long the head stays at its goal before it turns back [default: 0]
+    #[arg(long, value_name = "MIN", value_parser = stay, allow_hyphen_values = true)]
+    pub(crate) stay: Option<f64>,
+    /// Share of each battery that nobody may use [default: 0.2]
+    #[arg(long, value_name = "SHARE", value_parser = reserve, allow_hyphen_values = true)]
+    pub(crate) reserve: Option<f64>,
+    #[arg(long, value_name = "BUDGET", value_parser = LinkBudget::read, help = BUDGET)]
+    pub(crate) budget: Option<LinkBudget>,
+    /// Fly the plan with seeds 1 to N, and set flights beside plan
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1000))]
+    pub(crate) fly: Option<u64>,
     #[command(flatten)]
     pub(crate) out: Out,
     #[command(flatten)]
@@ -54,12 +73,49 @@ pub(crate) struct Plan {
     pub(crate) say: Say,
 }
 
+/// A depth, or a station of a survey: a number is a depth.
+#[derive(Debug, Clone)]
+pub(crate) enum To {
+    /// Depth (m).
+    Depth(f64),
+    /// Name of a station.
+    Station(String),
+}
+
+fn to(text: &str) -> Result<To, String> {
+    if text.parse::<f64>().is_ok() { length(text).map(To::Depth) } else { Ok(To::Station(text.to_owned())) }
+}
+
+/// Two numbers are a place; what is not made of numbers is a name.
+fn spot(text: &str) -> Result<Spot, String> {
+    let is_name = !text.is_empty()
+        && text.split(',').any(|part| part.trim_matches(['[', ']', ' ']).parse::<f64>().is_err());
+    match point(text) {
+        Ok(at_m) => Ok(Spot::At(at_m)),
+        Err(_) if is_name && !text.contains(',') => Ok(Spot::Named(text.to_owned())),
+        Err(error) => Err(error),
+    }
+}
+
+fn stay(text: &str) -> Result<f64, String> {
+    let stay_min = text.parse().ok().filter(|stay_min: &f64| (0.0..=1440.0).contains(stay_min));
+    stay_min.ok_or_else(|| "expected minutes, from 0 to 1440".to_owned())
+}
+
+fn reserve(text: &str) -> Result<f64, String> {
+    let reserve = text.parse().ok().filter(|reserve: &f64| (0.0..=0.9).contains(reserve));
+    reserve.ok_or_else(|| "expected a share, from 0 to 0.9, such as 0.2".to_owned())
+}
+
 fn point(text: &str) -> Result<[f64; 2], String> {
     let number = |part: &str| part.trim().parse().ok().filter(|value: &f64| value.is_finite());
     let numbers: Vec<Option<f64>> = text.trim_matches(['[', ']']).split(',').map(number).collect();
     match numbers.as_slice() {
         [Some(x_m), Some(y_m)] => Ok([*x_m, *y_m]),
-        _ => Err("expected X,Y in metres, such as --base=-50.15,34.03".to_owned()),
+        _ => {
+            Err("expected X,Y in metres, such as --base=-50.15,34.03, or a place that the map names"
+                .to_owned())
+        }
     }
 }
 

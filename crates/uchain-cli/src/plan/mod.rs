@@ -7,40 +7,84 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use uchain_sim::{
     map::Tunnel,
-    mission::chain::{PlanSteps, PlanTable, plan},
-    registry::{PlanArgument, PlanFor, PlanRequest, Registry},
+    mission::chain::{
+        Course, Plan as Planned, PlanOptions, PlanSteps, PlanTable, RESERVE, places_csv, places_geojson,
+        plan_png, plan_while,
+    },
+    registry::{PlanArgument, PlanFlight, PlanFor, PlanRequest, Registry},
 };
 
 use crate::{
     exit::Failure,
+    monitor::{interrupted, listen_for_interrupt},
     output::{self, Folder},
 };
 pub(crate) use args::Plan;
+use args::To;
 
 pub(crate) fn compute(registry: Registry, asked: &Plan) -> Result<(), Failure> {
     let spinner = spinner(asked.say.progress());
+    listen_for_interrupt();
     let what = PlanFor::find(&asked.what)?;
-    let (course, uavs) = registry.plan_course(&PlanRequest {
+    let (to_m, to_station) = match &asked.to {
+        Some(To::Depth(to_m)) => (Some(*to_m), None),
+        Some(To::Station(_)) if asked.map.from.is_none() => {
+            let words =
+                "--to: a station ends a branch that begins at --from STATION; a depth is a number of metres";
+            return Err(Failure::Usage(words.to_owned()));
+        }
+        Some(To::Station(name)) => (None, Some(name.as_str())),
+        None => (None, None),
+    };
+    let made_for = registry.plan_course(&PlanRequest {
         what: &what,
         sets: &asked.sets.set,
         uavs: asked.uavs,
         speed_mps: asked.speed,
-        base_m: asked.base,
+        base: asked.base.as_ref(),
         heading_deg: asked.heading,
-        goal_m: asked.goal,
+        goal: asked.goal.as_ref(),
+        cell_m: asked.map.cell,
+        from: asked.map.from.as_deref(),
+        to: to_station,
+        budget: asked.budget.as_ref(),
         typed,
     })?;
     let folder = asked.out.folder(|| Folder::ours("plans", &output::folder_name(&asked.what), ""))?;
     let folder = folder.spares(&asked.what)?;
-    let to_m = asked.to.or_else(|| course.tunnel.as_ref().map(Tunnel::length_m));
-    let steps = PlanSteps::new(to_m.unwrap_or(1.0), asked.step);
-    let plan = plan(&course, asked.to, steps.plan_m, uavs)?;
+    let course = &*made_for.course;
+    let deepest_m = to_m.or_else(|| course.tunnel.as_ref().map(Tunnel::length_m));
+    let steps = PlanSteps::new(deepest_m.unwrap_or(1.0), asked.step);
+    let options = PlanOptions {
+        to_m,
+        step_m: steps.plan_m,
+        uavs: made_for.uavs,
+        stay_s: 60.0 * asked.stay.unwrap_or_default(),
+        reserve: asked.reserve.unwrap_or(RESERVE),
+    };
+    let mut plan = plan_while(course, &options, &mut || !interrupted())?;
+    plan.budget = made_for.budget;
+    if let Some(seeds) = asked.fly {
+        fly(course, &mut plan, seeds, &spinner)?;
+    }
     let table = PlanTable::new(&plan, &steps);
-    let picture = uchain_sim::mission::chain::plan_png(&plan, &table.answer())?;
+    let picture = plan_png(course, &plan, &table.answer())?;
     let json = serde_json::to_string_pretty(&plan)? + "\n";
-    folder.write(&output::PLAN, json.as_bytes(), &picture, &[])?;
+    let (csv, geojson) = (places_csv(&plan), places_geojson(&plan));
+    folder.write(&output::PLAN, json.as_bytes(), &picture, &[csv.as_bytes(), geojson.as_bytes()])?;
     spinner.finish_and_clear();
     asked.say.result(&json, || format!("{}files: {}\n", table.text(), folder.says(&output::PLAN)))
+}
+
+/// Flies the plan, and notes what came of it.
+fn fly(course: &Course, plan: &mut Planned, seeds: u64, spinner: &ProgressBar) -> Result<(), Failure> {
+    let flight = PlanFlight::new(course, plan)?;
+    let go_on = |done: usize| {
+        spinner.set_message(format!("flying, {done} of {seeds} done"));
+        !interrupted()
+    };
+    plan.flown = Some(flight.fly(seeds, &go_on)?);
+    Ok(())
 }
 
 /// An argument as it may be typed.
@@ -50,6 +94,10 @@ fn typed(argument: PlanArgument<'_>) -> String {
         PlanArgument::Base([x, y]) => format!("--base={x},{y}"),
         PlanArgument::Goal([x, y]) => format!("--goal={x},{y}"),
         PlanArgument::Heading(deg) => format!("--heading={deg}"),
+        PlanArgument::Cell(cell_m) => format!("--cell={cell_m}"),
+        PlanArgument::From(name) => format!("--from={name}"),
+        PlanArgument::To(name) => format!("--to={name}"),
+        PlanArgument::Budget => "--budget".to_owned(),
     }
 }
 

@@ -258,6 +258,8 @@ class Plan:
     @property
     def rows(self) -> Columns: ...
     @property
+    def places(self) -> Columns: ...
+    @property
     def bottleneck_by_links_db(self) -> NDArray[np.float64]: ...
     @property
     def answer(self) -> str: ...
@@ -272,9 +274,16 @@ def plan(
     step_m: float | None = None,
     uavs: int | None = None,
     speed_mps: float | None = None,
-    base_m: tuple[float, float] | None = None,
-    goal_m: tuple[float, float] | None = None,
+    base_m: tuple[float, float] | str | None = None,
+    goal_m: tuple[float, float] | str | None = None,
     heading_deg: float | None = None,
+    cell_m: float | None = None,
+    from_station: str | None = None,
+    to_station: str | None = None,
+    stay_min: float = 0.0,
+    reserve: float = 0.2,
+    budget: str | PathLike[str] | dict[str, float] | None = None,
+    fly: int | None = None,
 ) -> Plan: ...
 @final
 class Optimum:

@@ -2,8 +2,15 @@
 
 use std::path::PathBuf;
 
-use pyo3::{exceptions::PyValueError, prelude::*, types::PyString};
-use uchain_sim::registry::{PlanArgument, PlanFor};
+use pyo3::{
+    exceptions::PyValueError,
+    prelude::*,
+    types::{PyDict, PyString},
+};
+use uchain_sim::{
+    radio::LinkBudget,
+    registry::{PlanArgument, PlanFor, Spot},
+};
 
 use crate::{run::shown, scenario::Scenario};
 
@@ -27,6 +34,10 @@ pub(super) fn typed(argument: PlanArgument<'_>) -> String {
         PlanArgument::Base([x, y]) => format!("base_m=({x}, {y})"),
         PlanArgument::Goal([x, y]) => format!("goal_m=({x}, {y})"),
         PlanArgument::Heading(deg) => format!("heading_deg={deg}"),
+        PlanArgument::Cell(cell_m) => format!("cell_m={cell_m}"),
+        PlanArgument::From(name) => format!("from_station={name:?}"),
+        PlanArgument::To(name) => format!("to_station={name:?}"),
+        PlanArgument::Budget => "budget".to_owned(),
     }
 }
 
@@ -64,9 +75,31 @@ pub(super) fn count(
     })
 }
 
-pub(super) fn point(name: &str, value: Option<[f64; 2]>) -> PyResult<Option<[f64; 2]>> {
-    let is_good = value.is_none_or(|[x, y]| x.is_finite() && y.is_finite());
-    is_good
-        .then_some(value)
-        .ok_or_else(|| PyValueError::new_err(format!("{name}: expected two numbers, in metres")))
+/// A place: two numbers, or a name that the map has for it.
+pub(super) fn spot(name: &str, value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Spot>> {
+    let Some(value) = value else { return Ok(None) };
+    if value.is_instance_of::<PyString>() {
+        return value.extract().map(Spot::Named).map(Some);
+    }
+    let at_m: [f64; 2] = value.extract()?;
+    let is_good = at_m.iter().all(|value| value.is_finite());
+    let wrong = || PyValueError::new_err(format!("{name}: expected two numbers, in metres"));
+    is_good.then_some(Some(Spot::At(at_m))).ok_or_else(wrong)
+}
+
+/// A link budget: a word, a path, or its keys in a dict.
+pub(super) fn budget(value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<LinkBudget>> {
+    let Some(value) = value else { return Ok(None) };
+    let text = match value.cast::<PyDict>() {
+        Ok(keys) => {
+            let pair = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+                Ok(format!("{}={:?}", key.extract::<String>()?, value.extract::<f64>()?))
+            };
+            keys.iter().map(pair).collect::<PyResult<Vec<String>>>()?.join(",")
+        }
+        Err(_) => value.extract::<PathBuf>()?.to_string_lossy().into_owned(),
+    };
+    LinkBudget::read(&text)
+        .map(Some)
+        .map_err(|error| PyValueError::new_err(error.to_string().replace("--budget", "budget")))
 }

@@ -3,6 +3,7 @@
 //! A model knows no seed: the optimum, a plan and a run ask the same one. A channel belongs to one run; noise, random
 //! losses and planned faults are channels around each other. No law asks a model, and no optimum a channel.
 
+mod budget;
 mod channel;
 mod disc;
 mod faults;
@@ -11,6 +12,7 @@ mod packets;
 mod params;
 mod path_loss;
 
+pub use budget::{BudgetError, Budgeted, LinkBudget, Threshold};
 pub use channel::{Channel, Link, Received, Side, channel};
 pub use disc::Disc;
 pub use faults::{Dead, Deaf, DeafSide, FaultConfig};

@@ -33,7 +33,10 @@ pub use kept::Kept;
 #[cfg(feature = "sweep")]
 pub(crate) use keys::ValueKind;
 pub use mission::{AnyMission, Flown, Of, Whole};
-pub use plan::{PlanArgument, PlanFor, PlanRequest, PlanRequestError};
+pub use plan::{
+    PlanArgument, PlanCourse, PlanFlight, PlanFlightError, PlanFor, PlanRequest, PlanRequestError, Spot,
+    named,
+};
 #[cfg(all(feature = "record", feature = "draw"))]
 pub use recording::{AnyRecording, Inspection};
 pub use scene::AnyScene;

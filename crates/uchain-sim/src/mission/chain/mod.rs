@@ -15,6 +15,7 @@ mod metrics;
 #[cfg(feature = "draw")]
 mod picture;
 mod pilot;
+mod plan;
 mod scene;
 mod shown;
 
@@ -52,9 +53,13 @@ pub use metrics::{LinkSummary, Metrics, Summary, Timeline};
 #[cfg(feature = "draw")]
 pub use picture::{plan_png, run_picture, run_png};
 use pilot::Steering;
-pub use scene::plan::{Launch, MOST_LISTED, MOST_ROWS, Plan, PlanError, PlanRow, plan, plan_while};
+pub use plan::{
+    Assumptions, Batteries, Battery, BatteryAssumed, Flown, FlownRun, HeadAssumed, Launch, MOST_LISTED,
+    MOST_ROWS, MapAssumed, Place, Plan, PlanError, PlanOptions, PlanRow, RESERVE, RadioAssumed, Sensitivity,
+    Variant, plan, plan_while,
+};
 pub use scene::{Course, CourseOptimum, Spawn};
-pub use shown::{Moments, PlanSteps, PlanTable, ThinnedHistory};
+pub use shown::{Moments, PlanSteps, PlanTable, ThinnedHistory, places_csv, places_geojson};
 
 /// A chain under way, of UAVs with the brains that its scenario asks for.
 pub type Chain<R = GridRays> = ChainOf<AnyBrain, R>;

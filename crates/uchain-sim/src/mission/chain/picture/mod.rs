@@ -1,7 +1,9 @@
 //! Pictures of a chain: a run on one page, and a plan.
 
 mod losses;
+mod places;
 mod plan;
+mod region;
 mod tunnel;
 
 use kuva::render::render::Scene;
@@ -12,6 +14,7 @@ use crate::draw::{
     panel, raster, wrapped,
 };
 use losses::Losses;
+use places::Places;
 use tunnel::Tunnel;
 
 /// One run on one page, as a PNG 1400 px wide. Above: the loss of every link over time (solid = as the filter sees it,
@@ -51,19 +54,24 @@ fn run_scene(course: &Course, history: &History, summary: &Summary) -> Scene {
     scene
 }
 
-/// A plan on one page, as a PNG 1400 px wide: relays needed, loss of the worst link of the best chain, and time,
-/// each against the depth of the head. The scenario's name stands above, with the `answer` below it.
+/// A plan on one page, as a PNG 1400 px wide. Above: the map with base, goal, the relays where they are best and their links
+/// coloured by what is left to `s_min`; the way in once more, if that is a small part of it. Below: relays needed, loss of the
+/// worst link of the best chain, and time, each against the depth of the head. The scenario's name stands above all, with the
+/// `answer` below it.
 ///
 /// # Errors
 /// [`DrawError::Raster`].
-pub fn plan_png(plan: &Plan, answer: &str) -> Result<Vec<u8>, DrawError> {
+pub fn plan_png(course: &Course, plan: &Plan, answer: &str) -> Result<Vec<u8>, DrawError> {
     let lines = wrapped(answer, LONGEST);
-    let sheet = plan::Sheet::new(plan, 34.0 + LINE * lines.len() as f64);
+    let places = Places::new(course, plan);
+    let maps = places.panels(50.0 + LINE * lines.len() as f64);
+    let sheet = plan::Sheet::new(plan, maps.last().map_or(50.0, Panel::bottom) + 58.0);
     let mut scene = Scene::new(FIGURE_WIDTH, sheet.bottom() + 44.0);
     panel::text(&mut scene, (sheet.left(), 18.0), TEXT_LARGE, &plan.scenario);
     for (i, line) in lines.iter().enumerate() {
         panel::text(&mut scene, (sheet.left(), 36.0 + LINE * i as f64), TEXT_LABEL, line);
     }
+    places.draw(&mut scene, &maps);
     sheet.draw(&mut scene);
     raster(&scene)
 }

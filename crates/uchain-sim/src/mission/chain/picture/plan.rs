@@ -38,6 +38,10 @@ fn head_min(row: &PlanRow) -> Option<f64> {
     row.time_min
 }
 
+fn home_min(row: &PlanRow) -> Option<f64> {
+    row.home_min
+}
+
 fn relay_min(row: &PlanRow) -> Option<f64> {
     row.first_relay_min
 }
@@ -56,7 +60,7 @@ impl<'a> Sheet<'a> {
             plan,
             relays: panel(0.0, (0.0, highest)).with_y_step((highest / 6.0).ceil()),
             losses: panel(1.0, loss_range(plan)),
-            times: panel(2.0, (0.0, 1.1 * largest(head_min, endurance_min))),
+            times: panel(2.0, (0.0, 1.1 * largest(home_min, largest(head_min, endurance_min)))),
         }
     }
 
@@ -100,13 +104,22 @@ impl<'a> Sheet<'a> {
         self.times.clip(scene);
         self.times.line(scene, self.along(head_min), &head, SOLID);
         self.times.line(scene, self.along(relay_min), &relay, SOLID);
+        loss::dashed_line(scene, &self.times, self.along(home_min), &head, DASHED);
         let endurance_min = self.plan.endurance_s / 60.0;
         level(scene, &self.times, endurance_min);
+        let usable_min = self.plan.batteries.as_ref().map(|batteries| batteries.usable_min);
+        let usable_min = usable_min.filter(|usable_min| *usable_min < endurance_min);
+        if let Some(usable_min) = usable_min {
+            level(scene, &self.times, usable_min);
+        }
         unclip(scene);
         let arrives = ending(&self.times, self.along(head_min), "head is there", &head);
         let flies = ending(&self.times, self.along(relay_min), "relay 1 has flown", &relay);
-        let empty = level_ending(&self.times, endurance_min, "battery lasts");
-        name_ends(scene, &self.times, arrives.into_iter().chain(flies).chain([empty]).collect());
+        let home = ending(&self.times, self.along(home_min), "all are home", &head);
+        let empty = level_ending(&self.times, endurance_min, "battery is empty");
+        let usable = usable_min.map(|usable_min| level_ending(&self.times, usable_min, "reserve begins"));
+        let names = arrives.into_iter().chain(flies).chain(home).chain([empty]).chain(usable);
+        name_ends(scene, &self.times, names.collect());
     }
 
     fn along(&self, value: Value) -> impl Iterator<Item = Option<(f64, f64)>> {

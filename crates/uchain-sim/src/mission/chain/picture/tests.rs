@@ -114,11 +114,11 @@ fn a_plan_is_one_page_even_where_there_is_nothing_to_plan_or_no_way() {
     let course = course(&["takeoff.s_min_db=36", "pilot.0.speed_mps=0"]);
     let mut plan = crate::mission::chain::plan(&course, None, 1.0, None).unwrap();
     let answer = "twelve words, of which some go to a second line of the page ".repeat(3);
-    assert_eq!(size(&plan_png(&plan, &answer).unwrap()).0, 1400);
+    assert_eq!(size(&plan_png(&course, &plan, &answer).unwrap()).0, 1400);
     plan.rows.iter_mut().for_each(|row| (row.relays_needed, row.bottleneck_db) = (None, Some(f64::INFINITY)));
-    plan_png(&plan, "").unwrap();
+    plan_png(&course, &plan, "").unwrap();
     plan.rows.clear();
-    plan_png(&plan, "").unwrap();
+    plan_png(&course, &plan, "").unwrap();
 }
 
 #[test]

@@ -1,68 +1,28 @@
 //! The whole tunnel with the UAVs' tracks and links, at equal aspect; where they flew once more, if that is a small part.
 
 use glam::DVec2;
-use kuva::render::{
-    color::Color,
-    render::{Primitive, Scene},
-};
-use uchain_core::bounded;
+use kuva::render::{color::Color, render::Scene};
 
-use super::losses::thinned;
+use super::{
+    losses::thinned,
+    region::{MARGIN_M, Region, WORTH_IT, outline, square},
+};
 use crate::draw::{
     TEXT_LABEL,
     colour::{self, FREE, GREY, INK},
     dots::{self, Somebody},
     ground,
     name::legend,
-    panel::{BOX_WIDTH, Panel, dot, rule, text, unclip},
+    panel::{Panel, dot, rule, text, unclip},
 };
 use crate::mission::chain::{Course, Frame, History, Summary, UavFrame};
 
-/// Lowest and highest box.
-const HEIGHTS: (f64, f64) = (120.0, 400.0);
-/// Least room around the tracks (m), and room around tracks or map as a share of their size.
-const MARGIN_M: f64 = 0.8;
-const MARGIN_SHARE: f64 = 0.04;
-/// Where they flew is shown once more if that makes it so much larger.
-const WORTH_IT: f64 = 1.6;
 /// From one box to the next.
 const GAP: f64 = 66.0;
 /// Thickness of a link; tracks are seen on it.
 const LINK: f64 = 5.0;
 /// Pattern of a link on which nothing is heard.
 const LOST: Option<&str> = Some("3 10");
-
-/// A rectangle of the map file's own frame (m).
-#[derive(Clone, Copy)]
-struct Region {
-    low_m: DVec2,
-    high_m: DVec2,
-}
-
-impl Region {
-    fn around(places: impl Iterator<Item = DVec2>, least_m: f64) -> Self {
-        let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        let (low_m, high_m) = places.fold(empty, |(low, high), at| (low.min(at), high.max(at)));
-        let margin_m = (MARGIN_SHARE * (high_m - low_m).max_element()).max(least_m);
-        Self { low_m: low_m - margin_m, high_m: high_m + margin_m }
-    }
-
-    /// Height of its box, and how much of the tunnel a unit of the page is (m).
-    fn scale(&self) -> (f64, f64) {
-        let size_m = self.high_m - self.low_m;
-        let height = bounded(BOX_WIDTH * size_m.y / size_m.x, HEIGHTS.0, HEIGHTS.1);
-        (height, (size_m.x / BOX_WIDTH).max(size_m.y / height))
-    }
-
-    /// A box of its own shape, so that a metre is as long across as up.
-    fn panel(&self, top: f64) -> Panel {
-        let (height, m_per_unit) = self.scale();
-        let middle = (self.low_m + self.high_m) / 2.0;
-        let half = DVec2::new(BOX_WIDTH, height) * m_per_unit / 2.0;
-        let (low, high) = (middle - half, middle + half);
-        Panel::new(top, height, (low.x, high.x), (low.y, high.y)).without_grid()
-    }
-}
 
 /// What the lower part shows. Coordinates are in the map file's own frame (m).
 pub(crate) struct Tunnel<'a> {
@@ -200,28 +160,4 @@ impl<'a> Tunnel<'a> {
         let at = self.shown(at);
         panel.at(at.x, at.y)
     }
-}
-
-/// Shows in one box what part of it another one shows.
-fn outline(scene: &mut Scene, whole: &Panel, near: &Panel) {
-    let (low, high) = near.ranges();
-    let ((left, bottom), (right, top)) = (whole.at(low.0, low.1), whole.at(high.0, high.1));
-    let corners = [(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)];
-    for pair in corners.windows(2) {
-        rule(scene, pair[0], pair[1], &INK, 0.8, Some("3 3"));
-    }
-}
-
-/// The base's mark.
-fn square(scene: &mut Scene, (x, y): (f64, f64)) {
-    scene.add(Primitive::Rect {
-        x: x - 4.5,
-        y: y - 4.5,
-        width: 9.0,
-        height: 9.0,
-        fill: INK,
-        stroke: None,
-        stroke_width: None,
-        opacity: None,
-    });
 }

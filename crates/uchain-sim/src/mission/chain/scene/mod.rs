@@ -3,7 +3,6 @@
 mod notes;
 mod optimality;
 mod places;
-pub(super) mod plan;
 
 use std::sync::{Arc, OnceLock};
 
@@ -21,7 +20,7 @@ use crate::{
     map::{Geodesic, Map, Tunnel},
     mission::Scene,
     radio::{Antenna, RadioModel, finite_db},
-    scene::{in_rock, lay_map, lay_radio, refuse, to_a_micrometre},
+    scene::{in_rock, lay_map, lay_radio, refuse, room_near, to_a_micrometre},
     sense::GridRays,
 };
 
@@ -122,7 +121,8 @@ impl Course {
         let [x_m, y_m] = scenario.chain.base_m;
         let base = map.to_local([x_m, y_m]);
         if let Some(in_rock) = in_rock(&map, base) {
-            let expected = format!("the base is {in_rock}; expected free space");
+            let room = room_near(&map, base, radius_m);
+            let expected = format!("the base is {in_rock}; expected free space{room}");
             return Err(spots.invalid("chain.base_m", &format!("[{x_m}, {y_m}]"), expected));
         }
         // Before the geodesic, which takes longest: a detour allows for far fewer corners.

@@ -6,7 +6,7 @@ use super::{Scenario, Spawn};
 use crate::{
     config::{ConfigError, Document},
     map::{CentreLine, Map, Tunnel},
-    scene::{in_rock, refuse, to_a_micrometre},
+    scene::{in_rock, refuse, room_near, to_a_micrometre},
 };
 
 /// Where a UAV is to wait, in the scenario's frame, and the key that says so.
@@ -68,7 +68,8 @@ impl Spots<'_> {
         let wrong =
             |expected: &str| Err(self.invalid("chain.goal_m", &format!("[{x_m}, {y_m}]"), expected.into()));
         if let Some(in_rock) = in_rock(self.map, goal) {
-            return wrong(&format!("the goal is {in_rock}; expected free space"));
+            let room = room_near(self.map, goal, self.radius_m);
+            return wrong(&format!("the goal is {in_rock}; expected free space{room}"));
         }
         let Some(line) = line else {
             let path = self.map.tunnel_between(base, goal, self.radius_m);

@@ -1,7 +1,7 @@
 //! What people see of a chain.
 
 mod history;
-mod plan;
+pub(super) mod plan;
 mod words;
 
 use std::sync::Arc;
@@ -15,7 +15,7 @@ use crate::{
 };
 
 pub use history::ThinnedHistory;
-pub use plan::{PlanSteps, PlanTable};
+pub use plan::{PlanSteps, PlanTable, places_csv, places_geojson};
 
 impl Shown for Chain {
     type History = ThinnedHistory;

@@ -1,11 +1,18 @@
-//! A plan as text for people: a table over the depth of the head, and the answer in one sentence.
+//! A plan as text for people: what it stands on, a table over the depth of the head, where the relays stand, whose battery
+//! lasts, and the answer in one sentence.
+
+mod answer;
+mod blocks;
+mod files;
+mod flown;
 
 use std::fmt::Write as _;
 
-use crate::{
-    analyse::optimum::MOST_LINKS,
-    mission::chain::{Plan, PlanRow},
-};
+use crate::mission::chain::{Plan, PlanRow};
+
+pub(in crate::mission::chain) use answer::{answer, help};
+use answer::{cut, too_few, too_long};
+pub use files::{places_csv, places_geojson};
 
 /// Most rows by default.
 const ROWS_MAX: f64 = 20.0;
@@ -67,115 +74,60 @@ impl<'a> PlanTable<'a> {
         Self { plan, shown }
     }
 
-    /// Title, rows, answer.
+    /// Title, what is assumed, rows, places, batteries, answer.
     pub fn text(&self) -> String {
         let plan = self.plan;
         let speed =
             plan.speed_mps.map(|mps| format!(", the head at {} m/s", rounded(mps))).unwrap_or_default();
-        let speed = speed + &self.cut().map(|cut| format!(" ({cut})")).unwrap_or_default();
+        let speed = speed + &cut(plan).map(|cut| format!(" ({cut})")).unwrap_or_default();
         let mut text =
             format!("{}: links of at most {} dB{speed}\n\n", plan.scenario, rounded(plan.s_min_db));
-        text += "  depth  relays  worst link  one fewer  head there  relay 1 flies\n";
-        text += "    (m)  needed        (dB)       (dB)       (min)          (min)\n";
+        text += &blocks::assumptions(plan);
+        text += "\n  depth  relays  worst link  one fewer  head there  relay 1 flies  all home\n";
+        text += "    (m)  needed        (dB)       (dB)       (min)          (min)     (min)\n";
         for row in &self.shown {
             let one_fewer = row.relays_needed.and_then(|relays| relays.checked_sub(1));
             let one_fewer_db = one_fewer.and_then(|at| row.bottleneck_by_links_db.get(at)).copied();
             // Writing to a String cannot fail.
             let _ = writeln!(
                 text,
-                "{:>7.2}  {:>6}  {:>10}  {:>9}  {:>10}  {:>13}  {}",
+                "{:>7.2}  {:>6}  {:>10}  {:>9}  {:>10}  {:>13}  {:>8}  {}",
                 row.depth_m,
                 row.relays_needed.map_or_else(|| "-".to_owned(), |relays| relays.to_string()),
                 decimal(row.bottleneck_db),
                 decimal(one_fewer_db),
                 decimal(row.time_min),
                 decimal(row.first_relay_min),
+                decimal(row.home_min),
                 self.verdict(row),
             );
         }
+        text += &blocks::places(plan);
+        text += &blocks::batteries(plan);
+        text += &blocks::sensitivity(plan);
+        text += &blocks::budget(plan);
+        text += &flown::flown(plan);
         let _ = writeln!(text, "\n{}", self.answer());
         text
     }
 
     /// What the planner wants to know, in one sentence.
     pub fn answer(&self) -> String {
-        let plan = self.plan;
-        let Some(last) = plan.rows.last() else { return "There is nothing to plan.".to_owned() };
-        let depth_m = rounded(last.depth_m);
-        let mut sentence = match plan.uavs_needed {
-            None => {
-                let s_min_db = rounded(plan.s_min_db);
-                format!(
-                    "{depth_m} m cannot be had with links of {s_min_db} dB and up to {} relays",
-                    MOST_LINKS - 1
-                )
-            }
-            Some(1) => format!("{depth_m} m need no relay (1 UAV)"),
-            Some(2) => format!("{depth_m} m need 1 relay (2 UAVs)"),
-            Some(uavs) => format!("{depth_m} m need {} relays ({uavs} UAVs)", uavs - 1),
-        };
-        if let Some((uavs, relays)) = plan.uavs_needed.zip(last.relays_needed) {
-            if relays + 1 < uavs {
-                let _ = write!(sentence, " on the way and {relays} at the end");
-            }
-            if self.too_few(last) {
-                let at_hand = plan.relays_available.unwrap_or_default() + 1;
-                let _ = write!(sentence, ", {at_hand} at hand: too few");
-            }
-            self.times(last, &mut sentence);
-        }
-        if !last.feasible {
-            let _ = match (plan.feasible_to_m, plan.rows.first()) {
-                (Some(depth_m), _) => write!(sentence, "; {} m can be done", rounded(depth_m)),
-                (None, first) => {
-                    let first_m = first.map_or(0.0, |first| rounded(first.depth_m));
-                    write!(sentence, "; not even {first_m} m can be done")
-                }
-            };
-        }
-        sentence + "."
-    }
-
-    fn times(&self, last: &PlanRow, sentence: &mut String) {
-        let Some(time_min) = last.time_min else { return };
-        let _ = write!(sentence, "; the head is there after {time_min:.1} min");
-        if let Some(cut) = self.cut() {
-            let _ = write!(sentence, " ({cut})");
-        }
-        if let Some(first_min) = last.first_relay_min {
-            let _ = write!(sentence, "; the first relay then has hovered {first_min:.1} min");
-        }
-        let endurance_min = self.plan.endurance_s / 60.0;
-        let verdict = if self.too_long(last) { "too long" } else { "long enough" };
-        let _ = write!(sentence, "; a battery lasts {endurance_min:.1} min: {verdict}");
-    }
-
-    /// Why the head is slower than asked, if it is.
-    fn cut(&self) -> Option<String> {
-        let asked_mps = rounded(self.plan.speed_asked_mps?);
-        let flown_mps = rounded(self.plan.speed_mps.unwrap_or_default());
-        Some(format!("{asked_mps} m/s asked, cut to equalize.v_max_mps = {flown_mps}"))
-    }
-
-    /// On the way or there.
-    fn too_few(&self, row: &PlanRow) -> bool {
-        let so_far = self.plan.launches.iter().filter(|launch| launch.depth_m <= row.depth_m);
-        self.plan.relays_available.is_some_and(|relays| so_far.count() > relays)
-    }
-
-    fn too_long(&self, row: &PlanRow) -> bool {
-        row.time_min.is_some_and(|time_min| 60.0 * time_min > self.plan.endurance_s)
+        answer(self.plan)
     }
 
     fn verdict(&self, row: &PlanRow) -> &'static str {
-        match (row.relays_needed, self.too_few(row), self.too_long(row)) {
+        let usable_min = self.plan.batteries.as_ref().map(|batteries| batteries.usable_min);
+        let is_home =
+            row.home_min.zip(usable_min).is_none_or(|(home_min, usable_min)| home_min <= usable_min);
+        match (row.relays_needed, too_few(self.plan, row), too_long(self.plan, row)) {
             (None, ..) => "out of reach",
             (_, true, true) => "too few UAVs, too long",
             (_, true, false) => "too few UAVs",
             (_, false, true) => "too long",
-            (_, false, false) if row.feasible => "ok",
-            // No number of relays held on the way here.
-            (_, false, false) => "beyond reach",
+            (_, false, false) if !row.feasible => "beyond reach", // no number of relays held on the way here
+            (_, false, false) if is_home => "ok",
+            (_, false, false) => "no way back",
         }
     }
 }

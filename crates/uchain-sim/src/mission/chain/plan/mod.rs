@@ -1,50 +1,42 @@
 //! What a planner asks before anyone flies: how many UAVs does the tunnel need, and how long does that take?
 
+mod assumptions;
+mod battery;
+mod clock;
+mod error;
+mod flown;
+mod places;
+mod sensitivity;
+#[cfg(test)]
+mod tests;
+
 use serde::Serialize;
 use uchain_core::bounded;
 
-use crate::mission::chain::Course;
+use crate::{
+    mission::chain::{
+        Course,
+        shown::plan::{answer, help},
+    },
+    radio::Budgeted,
+};
+
+pub use assumptions::{Assumptions, BatteryAssumed, HeadAssumed, MapAssumed, RadioAssumed};
+pub use battery::{Batteries, Battery};
+pub use error::PlanError;
+pub use flown::{Flown, FlownRun};
+pub use places::Place;
+pub use sensitivity::{Sensitivity, Variant};
+
+use clock::Clock;
 
 /// Most rows of a plan.
 pub const MOST_ROWS: usize = 1_000;
+/// Longest stay (s), and largest share of a battery that may be kept back (1).
+const STAY_MAX_S: f64 = 86_400.0;
+const RESERVE_MAX: f64 = 0.9;
 /// Most numbers of links listed in a row.
 pub const MOST_LISTED: usize = 16;
-
-/// Why there is no plan.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum PlanError {
-    /// Depth means nothing here.
-    #[error("nobody knows the middle of this map's tunnel: say where the head is to go with chain.goal_m")]
-    NoTunnel,
-    /// A depth the tunnel does not have.
-    #[error("to_m = {to_m}: the tunnel ends {length_m:.2} m from the base")]
-    Beyond {
-        /// The depth asked for (m).
-        to_m: f64,
-        /// Greatest depth (m).
-        length_m: f64,
-    },
-    /// A quantity outside its range.
-    #[error("{key} = {got}: must be more than 0")]
-    NotPositive {
-        /// The quantity.
-        key: &'static str,
-        /// What was given.
-        got: f64,
-    },
-    /// Too fine.
-    #[error("step_m = {step_m}: {to_m} m in such steps are more than {MOST_ROWS} rows")]
-    Rows {
-        /// The step asked for (m).
-        step_m: f64,
-        /// The depth asked for (m).
-        to_m: f64,
-    },
-    /// Nobody wants it any more.
-    #[error("interrupted")]
-    Interrupted,
-}
 
 /// The best chains against the head's depth, and the time they take. Nothing is simulated: relays are taken to stand
 /// at once where they are best, in mid-tunnel.
@@ -73,14 +65,59 @@ pub struct Plan {
     pub launches: Vec<Launch>,
     /// One row per depth, from the first step to the depth asked for.
     pub rows: Vec<PlanRow>,
+    /// What was taken for granted.
+    pub assumptions: Assumptions,
+    /// Where the relays stand when the head is at the depth asked for, the one next to the head first; none where no
+    /// number would do.
+    pub places: Vec<Place>,
+    /// Where the head is then, in the map file's own frame (m).
+    pub head_m: Option<[f64; 2]>,
+    /// Who runs out first, the way back and the reserve counted; `None` without times.
+    pub batteries: Option<Batteries>,
+    /// How much hangs on the limit and on the exponents.
+    pub sensitivity: Sensitivity,
+    /// The answer in one sentence.
+    pub verdict: String,
+    /// What would bring all home, where not all come home.
+    pub would_help: Option<String>,
+    /// What the limit was worked out from, if it was.
+    pub budget: Option<Budgeted>,
+    /// What it came to when it was flown, if it was.
+    pub flown: Option<Flown>,
 }
+
+/// How a mission is planned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlanOptions {
+    /// How deep the head is to go (m); the tunnel's end if `None`.
+    pub to_m: Option<f64>,
+    /// Distance between two rows (m).
+    pub step_m: f64,
+    /// UAVs at hand, the head included; as many as it takes if `None`.
+    pub uavs: Option<usize>,
+    /// How long the head stays where it is to go (s).
+    pub stay_s: f64,
+    /// Share of a battery that nobody may use (1).
+    pub reserve: f64,
+}
+
+impl Default for PlanOptions {
+    /// Down to the tunnel's end in steps of 1 m, and back at once with a fifth of each battery left.
+    fn default() -> Self {
+        Self { to_m: None, step_m: 1.0, uavs: None, stay_s: 0.0, reserve: RESERVE }
+    }
+}
+
+/// Share of a battery that nobody may use unless told otherwise (1). It is ours.
+pub const RESERVE: f64 = 0.2;
 
 /// A relay's take-off.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Launch {
     /// Which relay, counted from 1.
     pub relay: usize,
-    /// Depth of the first row at which the chain needs it (m).
+    /// Depth of the head at which the chain needs it (m): that of the first row that does, or before it if several relays come
+    /// with one row.
     pub depth_m: f64,
     /// When the head is there (min).
     pub time_min: Option<f64>,
@@ -102,6 +139,8 @@ pub struct PlanRow {
     pub time_min: Option<f64>,
     /// For how long the first relay has been in the air by then (min); `None` while it is on the ground.
     pub first_relay_min: Option<f64>,
+    /// When all are home again if the head turns round here, its stay counted (min, from its take-off).
+    pub home_min: Option<f64>,
     /// Whether there are relays enough, here and on the way here, and neither the head nor a relay has flown
     /// longer than a battery lasts. The way back is not counted.
     pub feasible: bool,
@@ -121,26 +160,30 @@ pub struct PlanRow {
 /// A tunnel of unknown middle; a depth beyond its end; a depth or a step that is not positive; more than
 /// [`MOST_ROWS`] rows.
 pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64, uavs: Option<usize>) -> Result<Plan, PlanError> {
-    plan_while(course, to_m, step_m, uavs, &mut || true)
+    plan_while(course, &PlanOptions { to_m, step_m, uavs, ..PlanOptions::default() }, &mut || true)
 }
 
-/// Like [`plan`], as long as whoever asked for it wants to go on, which is asked before every row.
+/// Like [`plan`], with all there is to say, as long as whoever asked for it wants to go on, which is asked before every row.
 ///
 /// # Errors
 /// Those of [`plan`], and [`PlanError::Interrupted`].
 pub fn plan_while(
     course: &Course,
-    to_m: Option<f64>,
-    step_m: f64,
-    uavs: Option<usize>,
+    asked: &PlanOptions,
     go_on: &mut dyn FnMut() -> bool,
 ) -> Result<Plan, PlanError> {
+    let PlanOptions { to_m, step_m, uavs, .. } = *asked;
     let optimum = course.optimum().ok_or(PlanError::NoTunnel)?;
     let tunnel_m = optimum.tunnel().length_m();
     let to_m = to_m.unwrap_or(tunnel_m);
     for (key, got) in [("to_m", to_m), ("step_m", step_m)] {
         if got.is_nan() || got <= 0.0 {
             return Err(PlanError::NotPositive { key, got });
+        }
+    }
+    for (key, got, most) in [("stay_s", asked.stay_s, STAY_MAX_S), ("reserve", asked.reserve, RESERVE_MAX)] {
+        if !(0.0..=most).contains(&got) {
+            return Err(PlanError::OutOfRange { key, got, most });
         }
     }
     // A centimetre of grace for a depth that was read off a rounded table.
@@ -166,6 +209,15 @@ pub fn plan_while(
         feasible_to_m: None,
         launches: Vec::new(),
         rows: Vec::with_capacity(steps as usize),
+        assumptions: Assumptions::of(course, &clock, asked),
+        places: Vec::new(),
+        head_m: None,
+        batteries: None,
+        sensitivity: Sensitivity::default(),
+        verdict: String::new(),
+        would_help: None,
+        budget: None,
+        flown: None,
     };
     let mut feasible_so_far = true;
     for step in 1..=steps as usize {
@@ -178,9 +230,7 @@ pub fn plan_while(
         let bottleneck = |links| optimum.optimum(depth_m, links).bottleneck_db;
         let relays_needed = links.map(|links| links - 1);
         let time_min = clock.time_min(depth_m);
-        for relay in plan.launches.len() + 1..=relays_needed.unwrap_or_default() {
-            plan.launches.push(Launch { relay, depth_m, time_min });
-        }
+        plan.launch(relays_needed.unwrap_or_default(), depth_m, &clock);
         plan.uavs_needed = plan.uavs_needed.zip(links).map(|(most, links)| most.max(links));
         let enough = plan.uavs_needed.is_some_and(|needed| uavs.is_none_or(|uavs| needed <= uavs));
         let lasts = time_min.is_none_or(|time_min| 60.0 * time_min <= plan.endurance_s);
@@ -197,112 +247,31 @@ pub fn plan_while(
             bottleneck_db: links.map(bottleneck),
             time_min,
             first_relay_min: time_min.zip(first_min).map(|(now_min, first_min)| now_min - first_min),
+            home_min: clock.home_min(depth_m, asked.stay_s),
             feasible,
         });
     }
+    if !go_on() {
+        return Err(PlanError::Interrupted);
+    }
+    let goal_m = to_m.min(tunnel_m);
+    plan.batteries = battery::batteries(&plan, &clock, goal_m, asked);
+    plan.places = places::places(course, &plan, goal_m);
+    plan.head_m = Some(places::in_own_frame(&course.map, optimum.tunnel().at(goal_m).0));
+    plan.sensitivity = sensitivity::sensitivity(course, goal_m, go_on)?;
+    (plan.verdict, plan.would_help) = (answer(&plan), help(&plan));
     Ok(plan)
 }
 
-/// When the head is where, if nothing stops it.
-struct Clock {
-    speed_mps: Option<f64>,
-    speed_asked_mps: Option<f64>,
-    ready_s: f64,
-    start_m: f64,
-}
-
-impl Clock {
-    fn new(course: &Course) -> Self {
-        let scenario = &course.scenario;
-        let asked = scenario.pilot.iter().map(|step| step.speed_mps).find(|&speed_mps| speed_mps > 0.0);
-        // Whatever the pilot asks for, the head clamps it.
-        let v_max_mps = scenario.equalize.v_max_mps;
-        let flown = asked.map(|speed_mps| speed_mps.min(v_max_mps)).filter(|&speed_mps| speed_mps > 0.0);
-        let start_m = course.spawns.first().and_then(|head| course.depth_m(head.at));
-        Self {
-            speed_mps: flown.map(f64::from),
-            speed_asked_mps: asked.filter(|&speed_mps| speed_mps > v_max_mps).map(f64::from),
-            ready_s: (scenario.takeoff.rise_s + scenario.takeoff.hover_s).into(),
-            start_m: start_m.unwrap_or_default().into(),
-        }
-    }
-
-    fn time_min(&self, depth_m: f64) -> Option<f64> {
-        let way_m = (depth_m - self.start_m).max(0.0);
-        self.speed_mps.map(|speed_mps| (self.ready_s + way_m / speed_mps) / 60.0)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::config::builtin;
-
-    fn course(name: &str, sets: &[&str]) -> std::sync::Arc<Course> {
-        let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
-        Course::read(&builtin(name).unwrap(), &sets).unwrap()
-    }
-
-    #[test]
-    fn a_straight_tunnel_needs_a_relay_every_44_m_and_the_head_takes_its_time() {
-        // 60 dB reach 0.25 · 10^1.25 = 4.446 m.
-        let plan = plan(&course("straight", &["chain.endurance_s=60"]), None, 0.5, None).unwrap();
-        let needed: Vec<_> = plan.rows.iter().map(|row| row.relays_needed.unwrap()).collect();
-        let by_hand: Vec<_> = plan.rows.iter().map(|row| (row.depth_m / 4.4457).floor() as usize).collect();
-        assert_eq!(needed, by_hand);
-        assert_eq!(plan.uavs_needed, Some(4));
-        let depths_m: Vec<_> = plan.launches.iter().map(|launch| launch.depth_m).collect();
-        assert_eq!(depths_m, [4.5, 9.0, 13.5]);
-        // 2 s to be ready, then 0.2 m/s from 0.75 m on.
-        let row = &plan.rows[19];
-        assert!((row.time_min.unwrap() - (2.0 + 9.25 / 0.2) / 60.0).abs() < 1e-6);
-        assert!((row.first_relay_min.unwrap() - 5.5 / 0.2 / 60.0).abs() < 1e-6);
-        assert!(plan.rows[..24].iter().all(|row| row.feasible), "a minute is enough for 12.35 m");
-        assert!(!plan.rows[24].feasible && plan.feasible_to_m == Some(12.0));
-    }
-
-    #[test]
-    fn relays_that_are_not_there_end_what_is_feasible() {
-        let plan = plan(&course("straight", &[]), Some(10.0), 1.0, Some(2)).unwrap();
-        assert_eq!((plan.relays_available, plan.feasible_to_m), (Some(1), Some(8.0)));
-        assert!(plan.rows.iter().all(|row| row.bottleneck_db.unwrap() <= 60.0));
-        let last = plan.rows.last().unwrap();
-        assert!(
-            last.bottleneck_by_links_db.is_sorted_by(|a, b| a > b) && last.bottleneck_by_links_db.len() == 3
-        );
-    }
-
-    #[test]
-    fn what_cannot_be_planned_is_refused_in_words() {
-        let course = course("straight", &[]);
-        let words = |to_m, step_m| plan(&course, to_m, step_m, None).unwrap_err().to_string();
-        assert_eq!(words(Some(20.0), 1.0), "to_m = 20: the tunnel ends 13.50 m from the base");
-        assert_eq!(words(None, 0.0), "step_m = 0: must be more than 0");
-        assert_eq!(words(Some(f64::NAN), 1.0), "to_m = NaN: must be more than 0");
-        assert_eq!(words(Some(10.0), 0.001), "step_m = 0.001: 10 m in such steps are more than 1000 rows");
-        let lost = Course { tunnel: None, ..(*course).clone() };
-        assert_eq!(plan(&lost, None, 1.0, None).unwrap_err(), PlanError::NoTunnel);
-    }
-
-    #[test]
-    fn the_head_flies_no_faster_than_its_laws_let_it() {
-        let at = |speed: &str| {
-            let set = format!("pilot.0.speed_mps={speed}");
-            plan(&course("straight", &[&set, "equalize.v_max_mps=0.25"]), None, 5.0, None).unwrap()
-        };
-        let (fast, most) = (at("1"), at("0.25"));
-        assert_eq!(fast.rows, most.rows);
-        assert_eq!((fast.speed_mps, fast.speed_asked_mps), (Some(0.25), Some(1.0)));
-        assert_eq!((most.speed_mps, most.speed_asked_mps), (Some(0.25), None));
-    }
-
-    #[test]
-    fn without_a_pilot_who_flies_forward_there_are_no_times() {
-        for set in ["pilot.0.speed_mps=0", "equalize.v_max_mps=0"] {
-            let plan = plan(&course("straight", &[set]), None, 5.0, None).unwrap();
-            let row = &plan.rows[1];
-            assert_eq!((plan.speed_mps, row.time_min, row.first_relay_min), (None, None, None), "{set}");
-            assert!(plan.rows.iter().all(|row| row.feasible), "{set}");
+impl Plan {
+    /// Notes who takes off for a row. Where rows lie so far apart that several relays come with one of them, their
+    /// take-offs are spread over the way from the row before.
+    fn launch(&mut self, relays: usize, depth_m: f64, clock: &Clock) {
+        let before_m = self.rows.last().map_or(0.0, |row| row.depth_m);
+        let (have, new) = (self.launches.len(), relays.saturating_sub(self.launches.len()));
+        for nth in 1..=new {
+            let depth_m = before_m + (depth_m - before_m) * (nth as f64 / new as f64);
+            self.launches.push(Launch { relay: have + nth, depth_m, time_min: clock.time_min(depth_m) });
         }
     }
 }

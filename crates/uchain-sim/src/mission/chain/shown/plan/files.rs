@@ -1,0 +1,77 @@
+//! Where the relays stand, for other programs: a table, and `GeoJSON`.
+
+use std::fmt::Write as _;
+
+use crate::mission::chain::{Place, Plan};
+
+/// A row per relay (`places.csv`), the one next to the head first. What nobody knows is empty.
+pub fn places_csv(plan: &Plan) -> String {
+    let mut text =
+        "relay,x_m,y_m,depth_m,link_db,front_db,margin_db,launch_min,airborne_min,spare_min\n".to_owned();
+    for place in &plan.places {
+        let fixed = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:.3}"));
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "{},{:.4},{:.4},{:.4},{:.3},{:.3},{:.3},{},{},{}",
+            place.relay,
+            place.x_m,
+            place.y_m,
+            place.depth_m,
+            place.link_db,
+            place.front_db,
+            place.margin_db,
+            fixed(place.launch_min),
+            fixed(place.airborne_min),
+            fixed(place.spare_min),
+        );
+    }
+    text
+}
+
+/// Base, relays, goal and the links between them as `GeoJSON` (`places.geojson`), in metres of the map file's own frame.
+pub fn places_geojson(plan: &Plan) -> String {
+    let map = &plan.assumptions.map;
+    let head = plan.head_m;
+    let mut features = vec![point(map.base_m, "\"kind\": \"base\", \"depth_m\": 0")];
+    let relay = |place: &Place| {
+        let properties = format!(
+            "\"kind\": \"relay\", \"relay\": {}, \"depth_m\": {:.4}, \"margin_db\": {:.3}",
+            place.relay, place.depth_m, place.margin_db
+        );
+        point([place.x_m, place.y_m], &properties)
+    };
+    features.extend(plan.places.iter().rev().map(relay));
+    if let Some((at_m, depth_m)) = head.zip(plan.rows.last().map(|row| row.depth_m)) {
+        features.push(point(at_m, &format!("\"kind\": \"head\", \"depth_m\": {depth_m:.4}")));
+    }
+    let mut front = head;
+    for place in &plan.places {
+        if let Some(front_m) = front {
+            features.push(link(front_m, [place.x_m, place.y_m], place.front_db, plan.s_min_db));
+        }
+        front = Some([place.x_m, place.y_m]);
+    }
+    if let Some((front_m, last)) = front.zip(plan.places.last()) {
+        features.push(link(front_m, map.base_m, last.link_db, plan.s_min_db));
+    }
+    format!("{{\"type\": \"FeatureCollection\", \"features\": [\n{}\n]}}\n", features.join(",\n"))
+}
+
+fn point([x_m, y_m]: [f64; 2], properties: &str) -> String {
+    feature(&format!("{{\"type\": \"Point\", \"coordinates\": [{x_m:.4}, {y_m:.4}]}}"), properties)
+}
+
+fn link(from_m: [f64; 2], to_m: [f64; 2], loss_db: f64, s_min_db: f64) -> String {
+    let [from, to] = [from_m, to_m].map(|[x_m, y_m]| format!("[{x_m:.4}, {y_m:.4}]"));
+    let geometry = format!("{{\"type\": \"LineString\", \"coordinates\": [{from}, {to}]}}");
+    let margin_db = s_min_db - loss_db;
+    feature(
+        &geometry,
+        &format!("\"kind\": \"link\", \"loss_db\": {loss_db:.3}, \"margin_db\": {margin_db:.3}"),
+    )
+}
+
+fn feature(geometry: &str, properties: &str) -> String {
+    format!("  {{\"type\": \"Feature\", \"geometry\": {geometry}, \"properties\": {{{properties}}}}}")
+}
