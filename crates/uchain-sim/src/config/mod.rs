@@ -26,5 +26,6 @@ pub(crate) use load::explain as explain_error;
 pub use source::{PRESETS, Preset, Source, TEXT_MAX_BYTES, builtin, builtin_names};
 
 pub use crate::map::{
-    CorridorConfig, CsvConfig, MapConfig, MovingAiConfig, RosConfig, WallsConfig, kind_of_map,
+    CorridorConfig, CsvConfig, MapConfig, MovingAiConfig, RosConfig, SubtConfig, SurvexConfig, WallsConfig,
+    kind_of_map,
 };

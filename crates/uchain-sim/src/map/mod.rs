@@ -43,12 +43,15 @@ pub use error::MapError;
 #[cfg(feature = "schema")]
 pub(crate) use formats::shape;
 pub use formats::{
-    CorridorConfig, CsvConfig, FORMATS, Format, MapConfig, MovingAiConfig, RosConfig, SNIFFED, Vertex,
-    WallsConfig, corridor, drawn, kind_of_map, map_files, read_moving_ai, read_ros,
+    CorridorConfig, CsvConfig, FORMATS, Format, MapConfig, MovingAiConfig, RosConfig, SNIFFED, SubtConfig,
+    SurvexConfig, Vertex, WallsConfig, corridor, drawn, kind_of_map, map_files, read_moving_ai, read_ros,
+    read_subt, read_survex,
 };
 pub(crate) use formats::{FRAME_MAX_M, Fault, tables};
 #[cfg(feature = "maps")]
 pub use formats::{ros_in_memory, ros_picture};
+#[cfg(feature = "drawings")]
+pub use formats::{subt_in_memory, survex_in_memory};
 pub use geodesic::{Geodesic, MOST_CORNERS, Trail};
 pub use geometry::Segment;
 pub use import::{Import, Material, Place, Remark, RemarkKind};

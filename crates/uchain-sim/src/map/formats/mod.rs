@@ -9,6 +9,8 @@ mod moving_ai;
 pub(in crate::map) mod ros;
 #[cfg(feature = "schema")]
 pub(crate) mod shape;
+mod subt;
+mod survex;
 #[cfg(test)]
 mod tests;
 mod walls;
@@ -26,6 +28,12 @@ pub use moving_ai::{MovingAiConfig, read_moving_ai};
 pub use ros::{RosConfig, read_ros};
 #[cfg(feature = "maps")]
 pub use ros::{ros_in_memory, ros_picture};
+#[cfg(feature = "drawings")]
+pub use subt::subt_in_memory;
+pub use subt::{SubtConfig, read_subt};
+#[cfg(feature = "drawings")]
+pub use survex::survex_in_memory;
+pub use survex::{SurvexConfig, read_survex};
 pub use walls::{WallsConfig, drawn};
 
 /// Farthest place in a map's own frame (m): a surveyor's coordinates; `f64` keeps a millimetre there with ease.
@@ -155,6 +163,10 @@ formats! {
     Ros(RosConfig) = ros::FORMAT;
     /// Wall loops as a table of their corners.
     Csv(CsvConfig) = csv::FORMAT;
+    /// A cave survey of Survex.
+    Survex(SurvexConfig) = survex::FORMAT;
+    /// A tunnel of SubT tiles.
+    Subt(SubtConfig) = subt::FORMAT;
 }
 
 impl MapConfig {
