@@ -113,7 +113,8 @@ impl Map {
     /// that are nearer to each other than half the distance to the walls are one.
     ///
     /// # Errors
-    /// A map that needs more than 2,000,000 places on its walls.
+    /// A map that needs more than 1,000,000 places on its walls, or whose walls crowd at one place so much that looking at
+    /// them would take minutes.
     pub fn tunnel_graph(&self) -> Result<TunnelGraph, MapError> {
         let draft = Draft::of(&mesh::ways(self)?);
         let mut graph = TunnelGraph::default();

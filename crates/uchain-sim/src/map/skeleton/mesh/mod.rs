@@ -10,7 +10,7 @@ pub(super) use middle::Middle;
 use crate::map::{Map, MapError};
 
 /// Most places on the walls that a graph is made from: about 300 bytes each.
-const MOST_PLACES: usize = 2_000_000;
+const MOST_PLACES: usize = 1_000_000;
 
 /// What of the middle of free space is a way.
 pub(super) fn ways(map: &Map) -> Result<Middle, MapError> {

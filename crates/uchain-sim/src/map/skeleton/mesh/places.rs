@@ -8,6 +8,8 @@ use crate::map::{Map, MapError, geometry::distance_squared, skeleton::NARROWEST_
 
 /// Longest piece of a wall to begin with, in cells of the map's grid: what is near a piece is found cell by cell.
 const LONGEST_CELLS: f64 = 8.0;
+/// Most looks at walls: where tens of thousands of them meet at one place, each search looks at all.
+const MOST_LOOKS: u64 = 300_000_000;
 /// A wall may come nearer to the middle between places than these by this share: 1 would ask for places without end.
 const TRUE: f64 = 0.85;
 /// The same beside a corner of two walls. The middle runs into a right angle at 1/√2 all the way, and is cut off there.
@@ -22,12 +24,24 @@ pub(super) fn triangles(map: &Map) -> Result<Delaunay, MapError> {
     let margin = DVec2::splat((high - low).max_element().max(1.0));
     let mut triangles = Delaunay::new(low - margin, high + margin);
     let mut changed = Vec::new();
-    for place in in_good_order(first(map)?, low, high) {
+    let mut looks = Looks(MOST_LOOKS);
+    for place in in_good_order(first(map, &mut looks)?, low, high) {
         triangles.insert(place, &mut changed);
         changed.clear();
     }
-    refine(map, &mut triangles)?;
+    refine(map, &mut triangles, &mut looks)?;
     Ok(triangles)
+}
+
+/// How many walls may still be looked at.
+struct Looks(u64);
+
+impl Looks {
+    /// After looking at so many.
+    fn spend(&mut self, walls: u64) -> Result<(), MapError> {
+        self.0 = self.0.saturating_sub(walls);
+        if self.0 > 0 { Ok(()) } else { Err(too_many(MOST_PLACES + 1)) }
+    }
 }
 
 fn too_many(got: usize) -> MapError {
@@ -40,7 +54,7 @@ fn too_many(got: usize) -> MapError {
 }
 
 /// The corners, and places between them so that no other wall comes into the circle over two neighbours.
-fn first(map: &Map) -> Result<Vec<DVec2>, MapError> {
+fn first(map: &Map, looks: &mut Looks) -> Result<Vec<DVec2>, MapError> {
     let mut places = Vec::with_capacity(map.walls.len());
     let longest_m = LONGEST_CELLS * map.grid.cell_m();
     let mut open = Vec::new();
@@ -52,7 +66,7 @@ fn first(map: &Map) -> Result<Vec<DVec2>, MapError> {
         while let Some((a, b)) = open.pop() {
             let (middle, half_m) = (a.midpoint(b), a.distance(b) / 2.0);
             let least = half_m * half_m * (1.0 - 1e-9);
-            if half_m > NARROWEST_M / 2.0 && map.another_wall_within(middle, half_m, index, least) {
+            if half_m > NARROWEST_M / 2.0 && map.another_wall_within(middle, half_m, index, least, looks)? {
                 open.extend([(a, middle), (middle, b)]);
             } else {
                 places.push(a);
@@ -67,15 +81,24 @@ fn first(map: &Map) -> Result<Vec<DVec2>, MapError> {
 
 impl Map {
     /// Whether a wall other than this one comes nearer to a place than so much (m², less than `reach_m` squared).
-    fn another_wall_within(&self, at: DVec2, reach_m: f64, than: usize, distance_m2: f64) -> bool {
-        let mut found = false;
+    fn another_wall_within(
+        &self,
+        at: DVec2,
+        reach_m: f64,
+        than: usize,
+        distance_m2: f64,
+        looks: &mut Looks,
+    ) -> Result<bool, MapError> {
+        let (mut found, mut walls) = (false, 0);
         self.grid.within(at - reach_m, at + reach_m, |wall| {
+            walls += 1;
             if !found && wall as usize != than {
                 let (a, b) = self.walls[wall as usize].ends();
                 found = distance_squared(a, b, at) < distance_m2;
             }
         });
-        found
+        looks.spend(walls)?;
+        Ok(found)
     }
 }
 
@@ -117,7 +140,7 @@ fn hilbert(mut x: u32, mut y: u32) -> u32 {
 }
 
 /// Adds the place on a wall nearest to the middle of a circle wherever that wall cuts deep into the circle.
-fn refine(map: &Map, triangles: &mut Delaunay) -> Result<(), MapError> {
+fn refine(map: &Map, triangles: &mut Delaunay, looks: &mut Looks) -> Result<(), MapError> {
     let mut open: Vec<u32> = (0..triangles.count() as u32).rev().collect();
     let mut changed = Vec::new();
     while let Some(triangle) = open.pop() {
@@ -130,7 +153,7 @@ fn refine(map: &Map, triangles: &mut Delaunay) -> Result<(), MapError> {
         if rock && map.in_rock_f64((corners[0] + corners[1] + corners[2]) / 3.0) {
             continue;
         }
-        let Some((wall, nearest)) = map.nearest_on_walls(middle) else { continue };
+        let Some((wall, nearest)) = map.nearest_on_walls(middle, looks)? else { continue };
         let (a, b) = map.walls[wall].ends();
         let share = if rock {
             TRUE_IN_ROCK
@@ -151,32 +174,40 @@ fn refine(map: &Map, triangles: &mut Delaunay) -> Result<(), MapError> {
 
 impl Map {
     /// The wall nearest to a place, and its nearest point (m).
-    fn nearest_on_walls(&self, p: DVec2) -> Option<(usize, DVec2)> {
-        let mut best = (f64::INFINITY, None);
-        let look = |wall: usize, best: &mut (f64, Option<usize>)| {
+    fn nearest_on_walls(&self, p: DVec2, looks: &mut Looks) -> Result<Option<(usize, DVec2)>, MapError> {
+        let (mut best_m2, mut nearest, mut walls) = (f64::INFINITY, None, 0);
+        let mut look = |wall: usize| {
             let (a, b) = self.walls[wall].ends();
             let squared = distance_squared(a, b, p);
-            if squared < best.0 {
-                *best = (squared, Some(wall));
+            walls += 1;
+            if squared < best_m2 {
+                (best_m2, nearest) = (squared, Some(wall));
             }
+            best_m2
         };
         if self.grid.cell_at(p).is_none() {
-            (0..self.walls.len()).for_each(|wall| look(wall, &mut best));
+            for wall in 0..self.walls.len() {
+                look(wall);
+            }
         } else {
+            let mut found_m2 = f64::INFINITY;
             for ring in 0.. {
                 let sure_m = self.grid.ring(p, ring, |cell| {
-                    self.grid.walls_of(cell).iter().for_each(|&wall| look(wall as usize, &mut best));
+                    for &wall in self.grid.walls_of(cell) {
+                        found_m2 = look(wall as usize);
+                    }
                 });
-                if sure_m.is_none_or(|sure_m| best.0 <= sure_m * sure_m) {
+                if sure_m.is_none_or(|sure_m| found_m2 <= sure_m * sure_m) {
                     break;
                 }
             }
         }
-        best.1.map(|wall| {
+        looks.spend(walls)?;
+        Ok(nearest.map(|wall| {
             let (a, b) = self.walls[wall].ends();
             let along = b - a;
             let share = bounded((p - a).dot(along) / along.length_squared(), 0.0, 1.0);
             (wall, a + along * share)
-        })
+        }))
     }
 }

@@ -4,6 +4,9 @@ use std::{cmp::Reverse, collections::BinaryHeap};
 
 use super::middle::Middle;
 
+/// A place of at least this share of the widest's room is as wide as any.
+const WIDE: f64 = 0.98;
+
 /// Takes away, from the loose ends on:
 ///
 /// 1. what runs into a corner: the two nearest walls are seen under less than 120°;
@@ -101,13 +104,17 @@ fn short_pieces(middle: &mut Middle) {
         let (run, _) = middle.run(tip, step);
         let other = run.last().copied().unwrap_or(tip);
         let room_m = |&place: &u32| middle.room_m[place as usize];
-        let Some(widest) = run.iter().copied().max_by(|p, q| room_m(p).total_cmp(&room_m(q))) else {
-            continue;
-        };
-        if middle.degree(other) != 1 || middle.length_of(&run) >= room_m(&widest) {
+        let widest_m = run.iter().map(room_m).fold(0.0, f64::max);
+        let length_m = middle.length_of(&run);
+        if middle.degree(other) != 1 || length_m >= widest_m {
             continue;
         }
-        run.iter().take_while(|&&place| place != widest).for_each(|&place| middle.remove(place));
-        run.iter().rev().take_while(|&&place| place != widest).for_each(|&place| middle.remove(place));
+        // Of many places as wide as any, the one nearest to the middle of the piece.
+        let off_m = |at: usize| (middle.length_of(&run[..=at]) - length_m / 2.0).abs();
+        let wide = (0..run.len()).filter(|&at| room_m(&run[at]) >= WIDE * widest_m);
+        let Some(kept) = wide.min_by(|&p, &q| off_m(p).total_cmp(&off_m(q))) else { continue };
+        let kept = run[kept];
+        run.iter().take_while(|&&place| place != kept).for_each(|&place| middle.remove(place));
+        run.iter().rev().take_while(|&&place| place != kept).for_each(|&place| middle.remove(place));
     }
 }

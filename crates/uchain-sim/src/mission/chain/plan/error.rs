@@ -1,6 +1,7 @@
 //! Why there is no plan.
 
 use super::MOST_ROWS;
+use crate::mission::chain::Farthest;
 
 /// Why there is no plan.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -9,6 +10,11 @@ pub enum PlanError {
     /// Depth means nothing here.
     #[error("nobody knows the middle of this map's tunnel: say where the head is to go with chain.goal_m")]
     NoTunnel,
+    /// Depth means nothing here, but there are passages.
+    #[error(
+        "nobody knows the middle of this map's tunnel: say where the head is to go with chain.goal_m (--goal); {0}"
+    )]
+    NoGoal(Farthest),
     /// A depth the tunnel does not have.
     #[error("to_m = {to_m}: the tunnel ends {length_m:.2} m from the base")]
     Beyond {

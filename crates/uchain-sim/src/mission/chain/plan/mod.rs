@@ -173,7 +173,7 @@ pub fn plan_while(
     go_on: &mut dyn FnMut() -> bool,
 ) -> Result<Plan, PlanError> {
     let PlanOptions { to_m, step_m, uavs, .. } = *asked;
-    let optimum = course.optimum().ok_or(PlanError::NoTunnel)?;
+    let optimum = course.optimum().ok_or_else(|| course.no_tunnel())?;
     let tunnel_m = optimum.tunnel().length_m();
     let to_m = to_m.unwrap_or(tunnel_m);
     for (key, got) in [("to_m", to_m), ("step_m", step_m)] {

@@ -1,5 +1,6 @@
 //! A scenario laid out in its tunnel: everything a run needs, shared by many runs.
 
+mod goal;
 mod notes;
 mod optimality;
 mod places;
@@ -24,6 +25,7 @@ use crate::{
     sense::GridRays,
 };
 
+pub use goal::Farthest;
 pub use optimality::CourseOptimum;
 use places::{Spots, waiting_places};
 
