@@ -292,3 +292,21 @@ fn flights_are_set_beside_the_plan() {
     let again = uchain(here.path(), &args);
     assert_eq!((again.status.code(), stdout(&again)), (Some(0), said), "the same seeds, the same flights");
 }
+
+#[test]
+fn a_place_in_rock_is_answered_with_one_nearby_where_there_is_room() {
+    let here = folder();
+    let output = uchain(here.path(), &["plan", "corner", "--goal=0,2"]);
+    let said = stderr(&output).to_owned();
+    let (_, place) = said.split_once("there is room at (").unwrap_or_else(|| panic!("{said}"));
+    let place = place.split(')').next().unwrap().replace(", ", ",");
+    // It is one: as a base it is accepted.
+    let base = format!("--base={place}");
+    let tried = uchain(here.path(), &["plan", "corner", &base, "--to", "0.5", "--quiet"]);
+    assert!(!stderr(&tried).contains("in rock"), "{base}: {}", stderr(&tried));
+    let names = uchain(here.path(), &["plan", "corner", "--goal", "portal"]);
+    assert!(stderr(&names).contains("portal: the map names no such place"), "{}", stderr(&names));
+    let usage = uchain(here.path(), &["plan", "corner", "--to", "portal"]);
+    assert_eq!(usage.status.code(), Some(2));
+    assert!(stderr(&usage).contains("--from STATION"), "{}", stderr(&usage));
+}

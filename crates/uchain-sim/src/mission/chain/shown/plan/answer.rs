@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::rounded;
 use crate::{
     analyse::optimum::MOST_LINKS,
-    mission::chain::{Plan, PlanRow},
+    mission::chain::{Batteries, Plan, PlanRow},
 };
 
 /// What the planner wants to know, in one sentence.
@@ -28,15 +28,24 @@ pub(in crate::mission::chain) fn answer(plan: &Plan) -> String {
         if relays + 1 < uavs {
             let _ = write!(sentence, " on the way and {relays} at the end");
         }
-        if too_few(plan, last) {
+        if uavs > MOST_LINKS {
+            let _ = write!(sentence, ", more than {MOST_LINKS} UAVs are too many");
+        } else if too_few(plan, last) {
             let at_hand = plan.relays_available.unwrap_or_default() + 1;
             let _ = write!(sentence, ", {at_hand} at hand: too few");
         }
         times(plan, last, &mut sentence);
     }
     if !last.feasible {
+        // The way back is not counted in it.
+        let home_from_m = plan.batteries.as_ref().and_then(|batteries| batteries.home_from_m);
+        let is_one_way =
+            |depth_m: f64| plan.batteries.is_some() && home_from_m.is_none_or(|home_m| home_m < depth_m);
         let _ = match (plan.feasible_to_m, plan.rows.first()) {
-            (Some(depth_m), _) => write!(sentence, "; {} m can be done", rounded(depth_m)),
+            (Some(depth_m), _) => {
+                let one_way = if is_one_way(depth_m) { " one way" } else { "" };
+                write!(sentence, "; {} m can be done{one_way}", rounded(depth_m))
+            }
             (None, first) => {
                 let first_m = first.map_or(0.0, |first| rounded(first.depth_m));
                 write!(sentence, "; not even {first_m} m can be done")
@@ -58,6 +67,9 @@ fn times(plan: &Plan, last: &PlanRow, sentence: &mut String) {
     let endurance_min = plan.endurance_s / 60.0;
     let Some(batteries) = plan.batteries.as_ref().filter(|_| !too_long(plan, last)) else {
         let _ = write!(sentence, "; a battery lasts {endurance_min:.1} min: too long");
+        if let Some(batteries) = &plan.batteries {
+            home(batteries, sentence);
+        }
         return;
     };
     let (home_min, usable_min) = (batteries.home_min, batteries.usable_min);
@@ -87,6 +99,11 @@ fn times(plan: &Plan, last: &PlanRow, sentence: &mut String) {
         }
         _ => {}
     }
+    home(batteries, sentence);
+}
+
+/// From how deep all come home.
+fn home(batteries: &Batteries, sentence: &mut String) {
     let _ = match batteries.home_from_m {
         Some(depth_m) => write!(sentence, "; all come home from {} m", rounded(depth_m)),
         None => write!(sentence, "; from nowhere do all come home"),
