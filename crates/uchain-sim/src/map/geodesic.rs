@@ -51,10 +51,7 @@ impl Map {
     /// A `source` in rock; more than [`MOST_CORNERS`] corners that stick into free space; walls that cross or touch
     /// (their crossings would be corners nobody listed).
     pub fn geodesic(&self, source: Vec2) -> Result<Geodesic, MapError> {
-        if self.in_rock(source) {
-            return Err(MapError::InRock { x: f64::from(source.x), y: f64::from(source.y) });
-        }
-        let mut open = self.corners_in_the_way(MOST_CORNERS)?;
+        let mut open = self.corners_from(source)?;
         let from = source.as_dvec2();
         for corner in &mut open {
             if corner.is_taut(from) && self.sees(source, corner.at) {
@@ -79,6 +76,21 @@ impl Map {
             corners.push(here);
         }
         Ok(Geodesic { source, corners })
+    }
+
+    /// Whether [`Self::geodesic`] has an answer, without the search that takes long.
+    ///
+    /// # Errors
+    /// Those of [`Self::geodesic`].
+    pub(crate) fn check_geodesic(&self, source: Vec2) -> Result<(), MapError> {
+        self.corners_from(source).map(drop)
+    }
+
+    fn corners_from(&self, source: Vec2) -> Result<Vec<Corner>, MapError> {
+        if self.in_rock(source) {
+            return Err(MapError::InRock { x: f64::from(source.x), y: f64::from(source.y) });
+        }
+        self.corners_in_the_way(MOST_CORNERS)
     }
 
     /// All corners a shortest way may bend round, none of them reached yet.

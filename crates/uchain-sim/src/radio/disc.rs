@@ -42,7 +42,11 @@ impl Disc {
 
 impl RadioModel for Disc {
     fn loss_db(&self, _: &Map, from: &Antenna, to: &Antenna) -> f32 {
-        if from.at.distance(to.at) <= self.range_m { self.loss_db } else { NO_LINK_DB }
+        self.least_loss_db(from.at.distance(to.at))
+    }
+
+    fn least_loss_db(&self, apart_m: f32) -> f32 {
+        if apart_m <= self.range_m { self.loss_db } else { NO_LINK_DB }
     }
 
     fn key(&self) -> Option<String> {

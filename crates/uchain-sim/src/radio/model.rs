@@ -60,6 +60,13 @@ pub trait RadioModel: Debug + Send + Sync {
     /// counts as that.
     fn loss_db(&self, map: &Map, from: &Antenna, to: &Antenna) -> f32;
 
+    /// What a link over a straight distance (m) loses at best (dB), whatever the map and the antennas' directions: no more
+    /// than [`Self::loss_db`] of any two antennas so far apart, to the last bit, and not falling with the distance. Searches
+    /// skip what it rules out, and tunnels of kilometres are planned by it. Minus infinity: nobody knows.
+    fn least_loss_db(&self, _apart_m: f32) -> f32 {
+        f32::NEG_INFINITY
+    }
+
     /// What names the losses: models of equal keys lose the same in equal maps, so that runs of a sweep share what takes
     /// long to work out, the table of the optimum. It begins with the model's name and holds all parameters. `None`:
     /// nothing is shared.

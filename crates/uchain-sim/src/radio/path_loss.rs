@@ -31,6 +31,13 @@ impl PathLoss {
         Ok(Self { params, ways })
     }
 
+    /// Loss over a distance (m) by an exponent.
+    fn by_distance_db(&self, straight_m: f32, alpha: f32) -> f32 {
+        let p = &self.params;
+        let ratio = straight_m.max(p.reference_m) / p.reference_m;
+        p.reference_loss_db + 10.0 * alpha * libm::log10f(ratio)
+    }
+
     /// As a scenario asks for it.
     fn make(params: &RadioParams, map: &Map) -> Result<Arc<dyn RadioModel>, RadioError> {
         let made = Self::new(params.clone(), map);
@@ -53,8 +60,7 @@ impl RadioModel for PathLoss {
             }
         };
         let straight_m = from.at.distance(to.at);
-        let ratio = straight_m.max(p.reference_m) / p.reference_m;
-        let mut loss_db = p.reference_loss_db + 10.0 * alpha * libm::log10f(ratio);
+        let mut loss_db = self.by_distance_db(straight_m, alpha);
         if let Some(way_m) = self.ways.as_ref().and_then(|ways| ways.distance_m(map, from.at, to.at)) {
             loss_db += p.detour_db_per_m * (way_m - straight_m).abs();
         }
@@ -62,6 +68,17 @@ impl RadioModel for PathLoss {
             loss_db += p.antenna_db * (aim(from, to.at) + aim(to, from.at));
         }
         loss_db
+    }
+
+    /// That of a clear line, or of one through rock where rock dampens less. A share of rock between none and all lies
+    /// between the two, rounding included.
+    fn least_loss_db(&self, apart_m: f32) -> f32 {
+        let p = &self.params;
+        let rock = match p.shadowing {
+            Shadowing::MeanExponent => p.alpha_free + (p.alpha_wall - p.alpha_free),
+            Shadowing::WallCount => p.alpha_wall,
+        };
+        self.by_distance_db(apart_m, p.alpha_free.min(rock))
     }
 
     fn key(&self) -> Option<String> {

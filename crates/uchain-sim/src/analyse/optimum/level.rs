@@ -1,6 +1,6 @@
 //! Bisection on the level with the farthest reachable placement: the exact answer where loss grows with distance.
 
-use super::table::known;
+use super::losses::Losses;
 
 /// How closely the level is found (dB).
 const LEVEL_DB: f64 = 1e-6;
@@ -11,19 +11,16 @@ const HALVINGS: usize = 60;
 
 /// Relays placed from the base on, each as far as a link of `level_db` reaches, and the head at `head_m`: base
 /// first. `None` when the head is out of reach with that many links.
-pub(super) fn farthest(
-    loss_db: &impl Fn(f64, f64) -> f64,
-    head_m: f64,
-    links: usize,
-    level_db: f64,
-) -> Option<Vec<f64>> {
+pub(super) fn farthest(losses: &impl Losses, head_m: f64, links: usize, level_db: f64) -> Option<Vec<f64>> {
     let mut depths_m = Vec::with_capacity(links + 1);
     let mut here_m = 0.0;
+    let head = losses.place(head_m);
     for _ in 0..links {
         depths_m.push(here_m);
-        let reaches = |there_m| known(loss_db(here_m, there_m)) <= level_db;
+        let here = losses.place(here_m);
+        let reaches = |there_m| losses.holds(&here, &losses.place(there_m), level_db);
         let (mut near_m, mut far_m) = (here_m, head_m);
-        if reaches(head_m) {
+        if losses.holds(&here, &head, level_db) {
             near_m = head_m;
         } else {
             for _ in 0..HALVINGS {
@@ -46,18 +43,13 @@ pub(super) fn farthest(
 
 /// The least level at which [`farthest`] reaches the head, no worse than `worst_db`, and its chain. `None` when it
 /// does not reach it at `worst_db`.
-pub(super) fn level(
-    loss_db: &impl Fn(f64, f64) -> f64,
-    head_m: f64,
-    links: usize,
-    worst_db: f64,
-) -> Option<Vec<f64>> {
-    let mut best = farthest(loss_db, head_m, links, worst_db)?;
+pub(super) fn level(losses: &impl Losses, head_m: f64, links: usize, worst_db: f64) -> Option<Vec<f64>> {
+    let mut best = farthest(losses, head_m, links, worst_db)?;
     let (mut high_db, mut width_db) = (worst_db, 1e-3);
     // Down from what is known in growing strides, then halve.
     let mut low_db = loop {
         let low_db = high_db - width_db;
-        match farthest(loss_db, head_m, links, low_db) {
+        match farthest(losses, head_m, links, low_db) {
             Some(chain) if width_db < 1e4 => (best, high_db) = (chain, low_db),
             _ => break low_db,
         }
@@ -68,7 +60,7 @@ pub(super) fn level(
         if high_db - low_db <= LEVEL_DB {
             break;
         }
-        match farthest(loss_db, head_m, links, middle_db) {
+        match farthest(losses, head_m, links, middle_db) {
             Some(chain) => (best, high_db) = (chain, middle_db),
             None => low_db = middle_db,
         }

@@ -2,6 +2,8 @@
 
 use uchain_core::bounded;
 
+use super::losses::{Losses, Plain, known};
+
 /// Most samples of a table: the losses between all pairs of them take 9 MB while it is drawn.
 pub const MOST_SAMPLES: usize = 1_500;
 /// Most links of a table.
@@ -30,16 +32,21 @@ impl BottleneckTable {
     /// Dynamic programming: the best of n links at sample i is the least, over samples j, of the worse of the best
     /// of n − 1 links at j and the link from j to i. The table ends early where one more link helps nowhere.
     pub fn new(loss_db: impl Fn(f64, f64) -> f64, depth_m: f64, step_m: f64, links_max: usize) -> Self {
+        Self::draw(&Plain(&loss_db), depth_m, step_m, links_max)
+    }
+
+    pub(crate) fn draw(losses: &impl Losses, depth_m: f64, step_m: f64, links_max: usize) -> Self {
         let depth_m = if depth_m.is_finite() { depth_m.max(0.0) } else { 0.0 };
         let steps = (depth_m / step_m).ceil();
         let steps = if steps >= 1.0 { (steps as usize).min(MOST_SAMPLES - 1) } else { 1 };
         let (step_m, samples) = (depth_m / steps as f64, steps + 1);
+        let places: Vec<_> = (0..samples).map(|i| losses.place(i as f64 * step_m)).collect();
         // Row i holds the losses from the samples 0..=i to sample i.
-        let mut losses = Vec::with_capacity(samples * (samples + 1) / 2);
-        for i in 0..samples {
-            losses.extend((0..=i).map(|j| known(loss_db(j as f64 * step_m, i as f64 * step_m))));
+        let mut links_db = Vec::with_capacity(samples * (samples + 1) / 2);
+        for (i, deep) in places.iter().enumerate() {
+            links_db.extend(places.iter().take(i + 1).map(|shallow| known(losses.db(shallow, deep))));
         }
-        let row = |i: usize| losses.iter().skip(i * (i + 1) / 2).take(i + 1);
+        let row = |i: usize| links_db.iter().skip(i * (i + 1) / 2).take(i + 1);
         let mut best_db: Vec<f64> = (0..samples).filter_map(|i| row(i).next().copied()).collect();
         let mut back = vec![0; samples];
         for _ in 1..links_max.min(MOST_LINKS) {
@@ -90,10 +97,11 @@ impl BottleneckTable {
     }
 
     /// Losses from every sample that is not deeper than a head, to that head (dB).
-    pub(super) fn losses_to(&self, loss_db: impl Fn(f64, f64) -> f64, head_m: f64) -> Vec<f64> {
+    pub(super) fn losses_to(&self, losses: &impl Losses, head_m: f64) -> Vec<f64> {
         let depths =
             (0..self.samples).map(|i| i as f64 * self.step_m).take_while(|&depth_m| depth_m <= head_m);
-        depths.map(|depth_m| known(loss_db(depth_m, head_m))).collect()
+        let head = losses.place(head_m);
+        depths.map(|depth_m| known(losses.db(&losses.place(depth_m), &head))).collect()
     }
 
     /// The worst link of the best chain with relays on samples, by the sample of the relay next to the head (dB).
@@ -118,9 +126,4 @@ impl BottleneckTable {
         depths_m.reverse();
         depths_m
     }
-}
-
-/// A loss, or no connection at all.
-pub(super) fn known(loss_db: f64) -> f64 {
-    if loss_db.is_nan() { f64::INFINITY } else { loss_db }
 }

@@ -222,7 +222,7 @@ fn waiting(course: &Course, tunnel: &Tunnel, uavs: usize) -> Result<Vec<Spawn>, 
             if found.len() < uavs
                 && is_free
                 && is_apart()
-                && course.from_base.distance_m(&course.map, at).is_some()
+                && course.from_base.leads_to(&course.map, std::iter::empty(), at)
             {
                 found.push(Spawn { at, heading_rad });
             }

@@ -14,6 +14,7 @@ use serde::Serialize;
 use uchain_core::bounded;
 
 use crate::{
+    analyse::optimum::MOST_LINKS,
     mission::chain::{
         Course,
         shown::plan::{answer, help},
@@ -128,8 +129,8 @@ pub struct Launch {
 pub struct PlanRow {
     /// Depth of the head (m).
     pub depth_m: f64,
-    /// Least worst link with 1, 2, … links (dB), up to as many as are needed and at most [`MOST_LISTED`]; where no
-    /// number would do, up to as many as there are UAVs at hand.
+    /// Least worst link with 1, 2, … links (dB), up to as many as are needed; none where more than [`MOST_LISTED`] are.
+    /// Where no number would do, up to as many as there are UAVs at hand, and at most [`MOST_LISTED`].
     pub bottleneck_by_links_db: Vec<f64>,
     /// Fewest relays that keep every link within `s_min`; `None` where no number does.
     pub relays_needed: Option<usize>,
@@ -225,14 +226,20 @@ pub fn plan_while(
             return Err(PlanError::Interrupted);
         }
         let depth_m = (step as f64 * step_m).min(to_m).min(tunnel_m);
-        let links = optimum.links_needed(depth_m);
-        let listed = bounded(links.or(uavs).unwrap_or(MOST_LISTED), 1, MOST_LISTED);
-        let bottleneck = |links| optimum.optimum(depth_m, links).bottleneck_db;
+        let head = optimum.head(depth_m);
+        let links = head.links_needed();
+        // How bad the worst of 16 links is where it takes 30 helps nobody.
+        let listed = match links {
+            Some(links) if links > MOST_LISTED => 0,
+            Some(links) => links,
+            None => bounded(uavs.unwrap_or(MOST_LISTED), 1, MOST_LISTED),
+        };
+        let bottleneck = |links| head.optimum(links).bottleneck_db;
         let relays_needed = links.map(|links| links - 1);
         let time_min = clock.time_min(depth_m);
         plan.launch(relays_needed.unwrap_or_default(), depth_m, &clock);
         plan.uavs_needed = plan.uavs_needed.zip(links).map(|(most, links)| most.max(links));
-        let enough = plan.uavs_needed.is_some_and(|needed| uavs.is_none_or(|uavs| needed <= uavs));
+        let enough = plan.uavs_needed.is_some_and(|needed| needed <= uavs.unwrap_or(MOST_LINKS));
         let lasts = time_min.is_none_or(|time_min| 60.0 * time_min <= plan.endurance_s);
         let feasible = enough && lasts;
         feasible_so_far &= feasible;

@@ -1,5 +1,6 @@
 //! A scenario laid out in its tunnel: everything a run needs, shared by many runs.
 
+mod from_base;
 mod goal;
 mod notes;
 mod optimality;
@@ -18,15 +19,17 @@ use super::{
 use crate::{
     analyse::optimum::{BottleneckTable, TableCache},
     config::{ConfigError, Document, Keys, MapConfig, Source},
-    map::{Geodesic, Map, Tunnel},
+    map::{Map, Tunnel},
     mission::Scene,
-    radio::{Antenna, RadioModel, finite_db},
+    radio::{Antenna, NO_LINK_DB, RadioModel, finite_db},
     scene::{in_rock, lay_map, lay_radio, refuse, room_near, to_a_micrometre},
     sense::GridRays,
 };
 
+pub use from_base::FromBase;
 pub use goal::Farthest;
 pub use optimality::CourseOptimum;
+use optimality::LongTunnel;
 use places::{Spots, waiting_places};
 
 /// Where a UAV waits, in the map's frame.
@@ -46,7 +49,7 @@ pub struct Course {
     /// The tunnel, shared with all that fly in it.
     pub map: Arc<Map>,
     /// Tunnel distance from the base to anywhere.
-    pub from_base: Geodesic,
+    pub from_base: FromBase,
     /// The base station, in the map's frame (m).
     pub base: Vec2,
     /// The middle of the tunnel from the base on, where it is known: a corridor's centre line, and on other maps
@@ -63,8 +66,10 @@ pub struct Course {
     /// Who levels the links of the built-in node's relays; `None`: they themselves, by
     /// [`equalize`](uchain_core::chain::equalize).
     pub leveller: Option<OwnLeveller>,
-    /// Drawn by the first [`Course::optimum`], shared by all runs.
+    /// Drawn by the first who needs it, shared by all runs.
     pub(crate) table: OnceLock<Arc<BottleneckTable>>,
+    /// Whether the tunnel is too long for a table, and what takes its place.
+    pub(crate) long: OnceLock<Option<Arc<LongTunnel>>>,
     /// Tables shared with other courses.
     pub(crate) tables: Arc<TableCache>,
 }
@@ -127,10 +132,11 @@ impl Course {
             let expected = format!("the base is {in_rock}; expected free space{room}");
             return Err(spots.invalid("chain.base_m", &format!("[{x_m}, {y_m}]"), expected));
         }
-        // Before the geodesic, which takes longest: a detour allows for far fewer corners.
         let radio = lay_radio(&scenario.radio, &map, extensions.radios, document)?;
-        let from_base = map.geodesic(base).map_err(|cause| refuse(document, "chain.base_m", cause))?;
+        let refused = |cause| refuse(document, "chain.base_m", cause);
+        let from_base = FromBase::new(&map, base).map_err(refused)?;
         let tunnel = spots.tunnel(&scenario, line, base)?;
+        let from_base = from_base.along(tunnel.as_ref()).map_err(refused)?;
 
         let mut spawns: Vec<Spawn> = Vec::with_capacity(scenario.chain.uavs);
         let heading_rad = scenario.chain.heading_deg.to_radians();
@@ -138,7 +144,7 @@ impl Course {
             let [place_x_m, place_y_m] = place.at_m.map(to_a_micrometre);
             let at = map.to_local(place.at_m);
             spots.stands_free(index, &place, at, &spawns)?;
-            if from_base.distance_m(&map, at).is_none() {
+            if !from_base.leads_to(&map, spawns.iter().map(|spawn| spawn.at), at) {
                 let expected = format!(
                     "no way leads from the base to UAV {index} at ({place_x_m}, {place_y_m}) m; both must be in \
                      the same tunnel"
@@ -162,6 +168,7 @@ impl Course {
             law,
             leveller: None,
             table,
+            long: OnceLock::new(),
             tables,
         })
     }
@@ -259,13 +266,20 @@ impl Course {
     pub fn with_radio(&self, word: &str, radio: Arc<dyn RadioModel>) -> Arc<Self> {
         let mut course = self.clone();
         word.clone_into(&mut course.scenario.radio.model);
-        (course.radio, course.table) = (radio, OnceLock::new());
+        (course.radio, course.table, course.long) = (radio, OnceLock::new(), OnceLock::new());
         Arc::new(course)
     }
 
     /// What a link loses, noise off (dB); always a number.
     pub fn loss_db(&self, from: &Antenna, to: &Antenna) -> f32 {
         finite_db(self.radio.loss_db(&self.map, from, to))
+    }
+
+    /// What no link over a straight distance (m) falls short of (dB); minus infinity where the model does not say.
+    pub(crate) fn least_loss_db(&self, apart_m: f32) -> f32 {
+        let least_db = self.radio.least_loss_db(apart_m);
+        // As a loss that is no number does, one at least as bad counts as no link.
+        if least_db.is_nan() { f32::NEG_INFINITY } else { least_db.min(NO_LINK_DB) }
     }
 
     /// How deep in the tunnel a place lies (m), negative behind the base; `None` where the tunnel's middle is not

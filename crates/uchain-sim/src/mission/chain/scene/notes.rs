@@ -13,6 +13,7 @@ impl Course {
             self.scenario.radio.note(),
             self.range(),
             self.speed(),
+            self.from_base.note(),
         ]
         .into_iter()
         .flatten()

@@ -8,7 +8,10 @@ mod flown;
 
 use std::fmt::Write as _;
 
-use crate::mission::chain::{Plan, PlanRow};
+use crate::{
+    analyse::optimum::MOST_LINKS,
+    mission::chain::{Plan, PlanRow},
+};
 
 pub(in crate::mission::chain) use answer::{answer, help};
 use answer::{cut, too_few, too_long};
@@ -122,6 +125,7 @@ impl<'a> PlanTable<'a> {
             row.home_min.zip(usable_min).is_none_or(|(home_min, usable_min)| home_min <= usable_min);
         match (row.relays_needed, too_few(self.plan, row), too_long(self.plan, row)) {
             (None, ..) => "out of reach",
+            (Some(relays), ..) if relays >= MOST_LINKS => "too many",
             (_, true, true) => "too few UAVs, too long",
             (_, true, false) => "too few UAVs",
             (_, false, true) => "too long",
