@@ -6,6 +6,7 @@ mod count;
 mod explore;
 mod laws;
 mod maps;
+mod plan;
 mod rays;
 mod record;
 mod run;
@@ -28,6 +29,7 @@ fn main() -> ExitCode {
     record::all(&mut criterion);
     run::all(&mut criterion);
     explore::all(&mut criterion);
+    plan::all(&mut criterion);
     criterion.final_summary();
     ExitCode::SUCCESS
 }
