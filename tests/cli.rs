@@ -16,6 +16,9 @@ mod hints;
 /// A Ctrl-C, a reader that went away.
 #[path = "cli/interrupt.rs"]
 mod interrupt;
+/// `uchain map`.
+#[path = "cli/map.rs"]
+mod map;
 /// `uchain node`: logs of real flights.
 #[path = "cli/node/mod.rs"]
 mod node;

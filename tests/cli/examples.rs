@@ -56,7 +56,8 @@ fn helps() -> Vec<Text> {
     let lines = whole.text.lines().skip_while(|line| *line != "Commands:").skip(1);
     let names = lines.take_while(|line| !line.is_empty()).filter_map(|line| line.split_whitespace().next());
     let names: Vec<String> = names.filter(|name| *name != "help").map(str::to_owned).collect();
-    [whole].into_iter().chain(names.iter().map(|name| help(&[name, "--help"]))).collect()
+    let nested = ["info", "plot", "convert", "make"].map(|name| help(&["map", name, "--help"]));
+    [whole].into_iter().chain(names.iter().map(|name| help(&[name, "--help"]))).chain(nested).collect()
 }
 
 /// Command lines that belong together: what one leaves the next may read.
@@ -110,7 +111,7 @@ const STANDS_IN: &[(&str, &str)] = &[
             "run --release --example "*) test -f "$PROJECT/examples/$4.rs" ;;
             "install --path "*) test -f "$PROJECT/$3/src/main.rs" ;;
             "doc --open -p "*) test -f "$PROJECT/crates/$4/src/lib.rs" ;;
-            "xtask test" | "xtask bench" | "xtask firmware" | "xtask web" | "xtask web --dist") ;;
+            "xtask test" | "xtask bench" | "xtask maps" | "xtask firmware" | "xtask web" | "xtask web --dist") ;;
             *) echo "cargo $*: what is that?" >&2; exit 1 ;;
         esac"#,
     ),
@@ -396,6 +397,13 @@ impl Known {
     fn wrong_in(&self, code: &str) -> Option<String> {
         let words: Vec<&str> = code.split_whitespace().collect();
         let command = match words.as_slice() {
+            ["uchain", "map", command, ..] if !command.starts_with('-') => {
+                let command = self.options.keys().find(|name| **name == format!("map {command}"));
+                if command.is_none() {
+                    return Some(format!("`{code}`: no command of map is called so"));
+                }
+                command.map(String::as_str)
+            }
             ["uchain", command, ..] if !command.starts_with('-') => {
                 if !self.options.contains_key(*command) {
                     return Some(format!("`{code}`: no command is called {command}"));

@@ -13,8 +13,13 @@ fn commands() -> Vec<String> {
     let help = uchain(folder().path(), &["--help"]);
     let lines = stdout(&help).lines().skip_while(|line| *line != "Commands:").skip(1);
     let names = lines.take_while(|line| !line.is_empty()).filter_map(|line| line.split_whitespace().next());
-    names.filter(|name| *name != "help").map(str::to_owned).collect()
+    let names: Vec<String> = names.filter(|name| *name != "help").map(str::to_owned).collect();
+    assert!(names.contains(&"map".to_owned()));
+    names
 }
+
+/// What `uchain map --help` lists.
+const OF_MAP: [&str; 4] = ["info", "plot", "convert", "make"];
 
 #[test]
 fn help_texts_are_the_reviewed_ones_and_each_has_an_example() {
@@ -28,6 +33,11 @@ fn help_texts_are_the_reviewed_ones_and_each_has_an_example() {
             "{name}"
         );
         let _ = write!(all, "\n==== uchain {name} --help\n\n{}", stdout(&help));
+    }
+    for name in OF_MAP {
+        let help = uchain(here.path(), &["map", name, "--help"]);
+        assert!(stdout(&help).contains(&format!("Examples:\n  uchain map {name}")), "{name}");
+        let _ = write!(all, "\n==== uchain map {name} --help\n\n{}", stdout(&help));
     }
     insta::assert_snapshot!(all);
     let version = uchain(here.path(), &["--version"]);
@@ -97,6 +107,8 @@ fn bash_completes_commands_options_scenarios_presets_and_keys() {
     assert_eq!(offered("run corner --set preset=c"), ["preset=cavemod"]);
     assert_eq!(offered("show --preset f"), ["frontiers2021"]);
     assert_eq!(offered("explain chain.g"), ["chain.goal_m"]);
+    assert_eq!(offered("map make r"), ["rooms", "room-and-pillar"]);
+    assert_eq!(offered("map plot corr"), ["corridors"]);
     // No name of ours: bash goes on to the names of files.
     assert_eq!(offered("run mine"), Vec::<String>::new());
 }
@@ -125,7 +137,9 @@ fn there_is_a_manual_page_for_every_command_and_it_is_well_formed() {
     let here = folder();
     let output = uchain(here.path(), &["man", "--out", "pages"]);
     assert_eq!((output.status.code(), stdout(&output), stderr(&output)), (Some(0), "", ""));
-    let files = commands().into_iter().map(|name| format!("uchain-{name}.1")).chain(["uchain.1".to_owned()]);
+    let nested = OF_MAP.map(|name| format!("map-{name}"));
+    let names = commands().into_iter().chain(nested).map(|name| format!("uchain-{name}.1"));
+    let files = names.chain(["uchain.1".to_owned()]);
     for file in files {
         let page = fs::read_to_string(here.path().join("pages").join(&file)).unwrap();
         assert!(page.contains(".TH uchain") && page.contains(".SH EXAMPLES\n.nf\n"), "{file}");

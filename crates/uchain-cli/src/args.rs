@@ -12,7 +12,7 @@ use uchain_sim::registry::Registry;
 use crate::{
     exit::{self, Exit},
     flags::{Quiet, Sets},
-    fly, node, paper, plan, recording, sweep, view,
+    fly, map, node, paper, plan, recording, sweep, view,
 };
 
 /// Fly a chain of UAVs that keep a radio link through a tunnel, or robots that explore rooms, and look at what it
@@ -47,6 +47,9 @@ pub(crate) enum Command {
     Repro(sweep::Repro),
     /// How many UAVs does a tunnel need, and for how long? (flies nothing)
     Plan(Box<plan::Plan>),
+    /// A map by itself: what it is, a picture, another kind of file, or one out of nothing
+    #[command(subcommand, after_help = map::EXAMPLES)]
+    Map(map::Map),
     /// Send the log of a real flight through the node: what would it have asked for?
     Node(Box<node::Node>),
     /// Draw the figures and tables of the papers again, published values beside ours

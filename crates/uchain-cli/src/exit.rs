@@ -97,6 +97,10 @@ pub(crate) enum Failure {
     Occupied { folder: PathBuf, found: String },
     #[error("{} holds another run ({found}); name another folder with --out", folder.display())]
     OtherRun { folder: PathBuf, found: &'static str },
+    #[error("{} is there already; name another file, or add --force to replace it", file.display())]
+    Exists { file: PathBuf },
+    #[error("{} is what the map is read from; name another file", file.display())]
+    OwnMap { file: PathBuf },
     #[error("{}: results in {} would take its place; name another folder with --out", file.display(), folder.display())]
     OwnInput { file: PathBuf, folder: PathBuf },
     #[error("{}: another uchain writes there; wait for it, or name another folder with --out", folder.display())]
@@ -259,6 +263,8 @@ impl Failure {
             | Self::Occupied { .. }
             | Self::OtherRun { .. }
             | Self::OwnInput { .. }
+            | Self::Exists { .. }
+            | Self::OwnMap { .. }
             | Self::Busy { .. }
             | Self::Folder { .. } => Exit::Usage,
             Self::Differ | Self::DigestDiffers { .. } => Exit::Differ,

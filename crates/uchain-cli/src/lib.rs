@@ -28,6 +28,7 @@ mod args;
 mod exit;
 mod flags;
 mod fly;
+mod map;
 mod monitor;
 mod node;
 mod output;
@@ -99,6 +100,7 @@ fn execute(registry: Registry, command: Command) -> Result<(), Failure> {
         Command::Report(args) => sweep::report(registry, &args),
         Command::Repro(args) => sweep::repro(registry, &args),
         Command::Plan(args) => plan::compute(registry, &args),
+        Command::Map(what) => map::map(registry, &what),
         Command::Node(args) => node::node(&args),
         Command::Paper(args) => paper::regenerate(&args),
         Command::View(args) => view::view(registry, &args),

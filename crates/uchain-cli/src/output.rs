@@ -1,6 +1,7 @@
 //! Output folders: files are written atomically (a temporary file, then renamed), one process at a time writes into a
 //! folder (a file lock), and what is in it is about one run.
 
+pub(crate) mod file;
 mod folder_name;
 pub(crate) mod papers;
 

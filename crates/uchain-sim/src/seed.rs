@@ -33,6 +33,8 @@ pub enum Source {
     RadioPair = 11,
     /// Bursts of lost packets between two that are no neighbours in a chain.
     BurstPair = 12,
+    /// Shapes of generated maps.
+    Map = 13,
 }
 
 /// Seed of one run.

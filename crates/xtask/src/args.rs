@@ -1,6 +1,6 @@
 //! What may stand behind `cargo xtask`.
 
-use std::fmt::Write as _;
+use std::{fmt::Write as _, path::PathBuf};
 
 use crate::{
     bench::Bench,
@@ -20,12 +20,14 @@ pub(crate) enum Wish {
     Rooms,
     /// The core on the emulated chip, and what it costs there.
     Firmware,
+    /// A table of what becomes of maps of others, by a `uchain` that is built already if one is named.
+    Maps(Option<PathBuf>),
     /// The page.
     Web(Effort),
 }
 
 /// What there is to do.
-const TASKS: [&str; 6] = ["test", "bench", "firmware", "rooms", "web", "help"];
+const TASKS: [&str; 7] = ["test", "bench", "firmware", "maps", "rooms", "web", "help"];
 
 pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> {
     let args: Vec<String> = args.collect();
@@ -37,6 +39,11 @@ pub(crate) fn parse(args: impl Iterator<Item = String>) -> Result<Wish, String> 
         "bench" => bench(&args[1..]),
         "rooms" => args.get(1).map_or(Ok(Wish::Rooms), |more| Err(format!("what is `{more}`?"))),
         "firmware" => args.get(1).map_or(Ok(Wish::Firmware), |more| Err(format!("what is `{more}`?"))),
+        "maps" => match &args[1..] {
+            [] => Ok(Wish::Maps(None)),
+            [uchain] => Ok(Wish::Maps(Some(uchain.into()))),
+            [_, more, ..] => Err(format!("what is `{more}`?")),
+        },
         "web" => web(&args[1..]),
         other => Err(format!("unknown task `{other}`{}", meant(other, &TASKS))),
     }
@@ -87,6 +94,7 @@ pub(crate) fn help() -> String {
         "Usage: cargo xtask test [STEP]...\n       \
                 cargo xtask bench [FILTER | --accept]\n       \
                 cargo xtask firmware\n       \
+                cargo xtask maps [UCHAIN]\n       \
                 cargo xtask rooms\n       \
                 cargo xtask web [--dist]\n\n\
          `test` runs the named steps, or all of them, in this order; the first failure ends it:\n\n",
@@ -104,6 +112,8 @@ pub(crate) fn help() -> String {
          benches/instructions.txt; --accept only counts, and writes that file.\n\
          \n`firmware` flies the laws on an emulated microcontroller, an STM32F405 as on a Crazyflie, and prints what\n\
          they cost there; qemu-system-arm has to be installed.\n\
+         \n`maps` reads, plans and flies every map of others in ../shared/data, and writes docs/map-table.md; UCHAIN is\n\
+         one that is built already.\n\
          \n`rooms` prints which module at the top of a crate imports which others.\n\
          \n`web` builds target/web/uchain.html, the page that `uchain view` opens; --dist takes longer and\n\
          makes it as small as it gets, with wasm-opt (binaryen) if that is there.\n",
@@ -121,6 +131,8 @@ mod tests {
             Wish::Test(steps) => Ok(steps.iter().map(|s| s.name).collect()),
             Wish::Bench(_) => Ok(vec!["bench"]),
             Wish::Firmware => Ok(vec!["firmware"]),
+            Wish::Maps(None) => Ok(vec!["maps"]),
+            Wish::Maps(Some(_)) => Ok(vec!["maps", "built"]),
             Wish::Rooms => Ok(vec!["rooms"]),
             Wish::Web(Effort::Quick) => Ok(vec!["web"]),
             Wish::Web(Effort::Dist) => Ok(vec!["web", "dist"]),
@@ -154,6 +166,13 @@ mod tests {
         assert_eq!(names(&["firmware"]), Ok(vec!["firmware"]));
         assert_eq!(names(&["firmware", "all"]), Err("what is `all`?".into()));
         assert_eq!(names(&["firmwar"]), Err("unknown task `firmwar`; did you mean `firmware`?".into()));
+    }
+
+    #[test]
+    fn maps_are_read_by_the_uchain_that_is_named() {
+        assert_eq!(names(&["maps"]), Ok(vec!["maps"]));
+        assert_eq!(names(&["maps", "target/release/uchain"]), Ok(vec!["maps", "built"]));
+        assert_eq!(names(&["maps", "a", "b"]), Err("what is `b`?".into()));
     }
 
     #[test]

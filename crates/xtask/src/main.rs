@@ -5,6 +5,7 @@ mod args;
 mod bench;
 mod firmware;
 mod house;
+mod maps;
 mod nm;
 mod rooms;
 mod steps;
@@ -45,6 +46,13 @@ fn main() -> ExitCode {
             }
             Err(error) => {
                 eprintln!("rooms: {error:#}");
+                ExitCode::FAILURE
+            }
+        },
+        Ok(Wish::Maps(uchain)) => match maps::maps(&House::find(), uchain.as_deref()) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => {
+                eprintln!("maps: {error:#}");
                 ExitCode::FAILURE
             }
         },

@@ -4,6 +4,7 @@ use clap::{Arg, ValueHint, builder::PossibleValuesParser};
 use clap_complete::Shell;
 use uchain_sim::{
     config::{PRESETS, builtin_names},
+    map::make::{KINDS, Kind},
     registry::Registry,
 };
 
@@ -31,6 +32,13 @@ pub(crate) fn completions(registry: Registry, shell: Shell) -> Result<(), Failur
             sweep.mut_arg("scenario", scenarios).mut_arg("set", sets).mut_arg("vary", sets)
         })
         .mut_subcommand("plan", |plan| plan.mut_arg("what", scenarios).mut_arg("set", sets))
+        .mut_subcommand("map", |map| {
+            let kinds = |arg: Arg| arg.value_parser(PossibleValuesParser::new(KINDS.map(Kind::name)));
+            let map = map.mut_subcommand("make", |make| make.mut_arg("kind", kinds));
+            ["info", "plot", "convert"].into_iter().fold(map, |map, name| {
+                map.mut_subcommand(name, |one| one.mut_arg("what", scenarios).mut_arg("set", sets))
+            })
+        })
         .mut_subcommand("node", |node| node.mut_arg("set", sets).mut_arg("preset", presets))
         .mut_subcommand("check", |check| check.mut_arg("scenario", scenarios).mut_arg("set", sets))
         .mut_subcommand("show", |show| show.mut_arg("scenario", scenarios).mut_arg("preset", presets))

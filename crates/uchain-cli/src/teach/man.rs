@@ -23,8 +23,8 @@ pub(crate) fn man(out: Option<&Path>) -> Result<(), Failure> {
     grammar.build();
     let Some(folder) = out else { return print(&page(&grammar).map_err(Failure::Stdout)?) };
     fs::create_dir_all(folder).map_err(|cause| Failure::Folder { folder: folder.to_owned(), cause })?;
-    let commands = std::iter::once(&grammar).chain(grammar.get_subcommands());
-    for command in commands {
+    let nested = grammar.get_subcommands().flat_map(Command::get_subcommands);
+    for command in std::iter::once(&grammar).chain(grammar.get_subcommands()).chain(nested) {
         let file = folder.join(Man::new(command.clone()).get_filename());
         let written = page(command).and_then(|text| fs::write(&file, text));
         written.map_err(|cause| Failure::Write { file, cause })?;

@@ -20,6 +20,11 @@ pub(crate) fn on_page(panel: &Panel, map: &Map, at: DVec2) -> (f64, f64) {
 
 /// Paints the box of a panel. Loops are painted from the largest to the smallest.
 pub(crate) fn paint(scene: &mut Scene, panel: &Panel, map: &Map) {
+    paint_lined(scene, panel, map, 1.0);
+}
+
+/// The same with walls so thick (units of the page).
+pub(crate) fn paint_lined(scene: &mut Scene, panel: &Panel, map: &Map, thickness: f64) {
     scene.add(Primitive::Rect {
         x: panel.left(),
         y: panel.top(),
@@ -37,8 +42,18 @@ pub(crate) fn paint(scene: &mut Scene, panel: &Panel, map: &Map) {
         let fill = if is_free_inside(map, doubled_area_m2, walls) { FREE } else { ROCK };
         let corners: Vec<(f64, f64)> =
             walls.iter().map(|wall| on_page(panel, map, wall.a.as_dvec2())).collect();
-        scene.add(area(&corners, Some(fill), WALL, 1.0, None));
+        scene.add(area(&corners, Some(fill), WALL, thickness, None));
     }
+}
+
+/// How much free space a map has (m²).
+pub(crate) fn free_area_m2(map: &Map) -> f64 {
+    let area = |walls: &[Segment]| {
+        let doubled_area_m2 = doubled_area_m2(walls);
+        let side = if is_free_inside(map, doubled_area_m2, walls) { 0.5 } else { -0.5 };
+        side * doubled_area_m2.abs()
+    };
+    map.loops().map(area).sum::<f64>().max(0.0)
 }
 
 /// A closed line through places of the page, perhaps filled.

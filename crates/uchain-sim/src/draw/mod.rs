@@ -8,6 +8,7 @@ pub(crate) mod ground;
 pub(crate) mod loss;
 pub(crate) mod name;
 pub(crate) mod panel;
+pub mod plot;
 #[cfg(test)]
 pub(crate) mod said;
 #[cfg(feature = "sweep")]

@@ -42,6 +42,18 @@ impl Panel {
 
     /// The same between two places across the page.
     pub(crate) fn within(
+        across: (f64, f64),
+        top: f64,
+        height: f64,
+        x_range: (f64, f64),
+        y_range: (f64, f64),
+    ) -> Self {
+        Self::on_page(FIGURE_WIDTH, across, top, height, x_range, y_range)
+    }
+
+    /// The same on a page of another width.
+    pub(crate) fn on_page(
+        page: f64,
         (left, right): (f64, f64),
         top: f64,
         height: f64,
@@ -49,9 +61,9 @@ impl Panel {
         y_range: (f64, f64),
     ) -> Self {
         let layout = Layout::new(x_range, y_range)
-            .with_width(FIGURE_WIDTH)
+            .with_width(page)
             .with_height(top + height)
-            .with_force_margins(left, FIGURE_WIDTH - right)
+            .with_force_margins(left, page - right)
             .with_force_margins_y(top, 0.0)
             .with_x_axis_min(x_range.0)
             .with_x_axis_max(x_range.1)

@@ -20,8 +20,8 @@ mod geodesic;
 mod geometry;
 mod grid;
 mod import;
+pub mod make;
 mod numbers;
-#[cfg(feature = "maps")]
 mod raster;
 mod rays;
 mod skeleton;
@@ -29,6 +29,7 @@ mod skeleton;
 mod tests;
 mod tunnel;
 mod ways;
+pub mod write;
 
 use std::{ops::ControlFlow, sync::OnceLock};
 

@@ -7,6 +7,7 @@ mod flight;
 mod kept;
 #[cfg(feature = "sweep")]
 mod keys;
+mod map;
 mod mission;
 mod plan;
 #[cfg(all(feature = "record", feature = "draw"))]
@@ -32,6 +33,7 @@ pub use flight::{Flight, FlightError};
 pub use kept::Kept;
 #[cfg(feature = "sweep")]
 pub(crate) use keys::ValueKind;
+pub use map::Typed;
 pub use mission::{AnyMission, Flown, Of, Whole};
 pub use plan::{
     PlanArgument, PlanCourse, PlanFlight, PlanFlightError, PlanFor, PlanRequest, PlanRequestError, Spot,

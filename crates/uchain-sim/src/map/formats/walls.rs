@@ -106,7 +106,7 @@ fn place(loops: &[Vec<[f64; 2]>]) -> Result<Map, MapError> {
 
 impl Map {
     /// For each loop, the other loops that surround its first corner, in order. For loops that do not touch.
-    fn loops_around(&self) -> Vec<Vec<usize>> {
+    pub(in crate::map) fn loops_around(&self) -> Vec<Vec<usize>> {
         let mut near: Vec<u32> = Vec::new();
         let first = self.loops.iter().enumerate();
         first.map(|(own, &first)| self.loops_around_corner(own, first, &mut near)).collect()

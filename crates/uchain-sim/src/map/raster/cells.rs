@@ -1,9 +1,12 @@
 //! From a picture's bytes to free cells and all others.
 
+#[cfg(feature = "maps")]
 use super::picture::{Picture, PictureError, Pixel};
+#[cfg(feature = "maps")]
 use crate::map::Unknown;
 
 /// How a pixel's darkness is read.
+#[cfg(feature = "maps")]
 #[derive(Debug, Clone, Copy)]
 pub(in crate::map) struct Levels {
     /// Whether light is occupied.
@@ -16,6 +19,7 @@ pub(in crate::map) struct Levels {
     pub(in crate::map) by_opacity: bool,
 }
 
+#[cfg(feature = "maps")]
 impl Levels {
     /// Whether a cell is free; `None` where nobody knows.
     fn is_free(self, pixel: Pixel) -> Option<bool> {
@@ -43,6 +47,7 @@ impl Cells {
         Self { cols, rows: free.len().checked_div(cols).unwrap_or(0), unknown: 0, free }
     }
 
+    #[cfg(feature = "maps")]
     pub(in crate::map) fn decode(
         file: &[u8],
         levels: Levels,

@@ -2,12 +2,15 @@
 
 pub(super) mod cells;
 mod contour;
+#[cfg(feature = "maps")]
 mod picture;
 mod simplify;
-#[cfg(test)]
+#[cfg(all(test, feature = "maps"))]
 mod tests;
+#[cfg(feature = "maps")]
 pub(super) mod words;
 
+#[cfg(feature = "maps")]
 use std::{fs::File, io::Read as _, path::Path};
 
 use glam::DVec2;
@@ -25,6 +28,17 @@ pub(super) fn to_map(
     wrong: impl Fn(String) -> MapError,
 ) -> Result<Map, MapError> {
     let loops = contour::loops(cells).map_err(&wrong)?;
+    loops_to_map(&loops, cell_m, simplify_m, place, wrong)
+}
+
+/// The same for loops that are there already, in cells from the lower left, with free space on their left. No two touch.
+pub(super) fn loops_to_map(
+    loops: &[Vec<DVec2>],
+    cell_m: f64,
+    simplify_m: f64,
+    place: impl Fn(DVec2) -> DVec2,
+    wrong: impl Fn(String) -> MapError,
+) -> Result<Map, MapError> {
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     for &corner in loops.iter().flatten() {
         let at = place(corner);
@@ -35,12 +49,13 @@ pub(super) fn to_map(
     }
     let middle = (low + high) / 2.0;
     let place = |corner: DVec2| (place(corner) - middle).as_vec2();
-    let mut map = simplify::simplify(&loops, simplify_m / cell_m, cell_m, place)?;
+    let mut map = simplify::simplify(loops, simplify_m / cell_m, cell_m, place)?;
     map.offset_m = middle.into();
     Ok(map)
 }
 
 /// A whole file of at most `most` bytes.
+#[cfg(feature = "maps")]
 pub(super) fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(|error| error.to_string())?;

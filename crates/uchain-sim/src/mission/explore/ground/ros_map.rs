@@ -3,7 +3,10 @@
 use glam::Vec2;
 
 use crate::mission::explore::Ground;
-use crate::{map::Map, mission::explore::NodeFrame};
+use crate::{
+    map::{Map, write},
+    mission::explore::NodeFrame,
+};
 
 const FREE: u8 = 254;
 const OCCUPIED: u8 = 0;
@@ -49,20 +52,13 @@ impl RosMap {
                 cells[cell] = OCCUPIED;
             }
         }
-        let mut pgm = format!("P5\n{width} {height}\n255\n").into_bytes();
         // Pictures begin at the top.
-        for row in cells.chunks(width).rev() {
-            pgm.extend_from_slice(row);
-        }
+        let grey: Vec<u8> = cells.chunks(width).rev().flatten().copied().collect();
         let low = ground.cells().low().as_dvec2() - f64::from(ground.cells().cell_m());
         let [east_m, north_m] = map.offset_m();
-        let yaml = format!(
-            "image: map.pgm\nmode: trinary\nresolution: {}\norigin: [{}, {}, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n",
-            ground.cells().cell_m(),
-            low.x + east_m,
-            low.y + north_m,
-        );
-        Self { pgm, yaml }
+        let corner_m = [low.x + east_m, low.y + north_m];
+        let yaml = write::yaml("map.pgm", &ground.cells().cell_m().to_string(), corner_m);
+        Self { pgm: write::pgm([width, height], &grey), yaml }
     }
 }
 
