@@ -57,6 +57,11 @@ impl WayTree {
         (0..self.at.len()).max_by(|&p, &q| self.depth_m[p].total_cmp(&self.depth_m[q]).then(q.cmp(&p)))
     }
 
+    /// For those who ask which sample is the nearest in sight.
+    pub(crate) fn near(&self) -> Near<'_> {
+        Near::new(&self.at)
+    }
+
     /// The places from the first sample to one of them, both included.
     pub fn way_to(&self, sample: usize) -> Vec<Vec2> {
         let mut way = Vec::new();

@@ -58,7 +58,7 @@ pub use plan::{
     MOST_ROWS, MapAssumed, Place, Plan, PlanError, PlanOptions, PlanRow, RESERVE, RadioAssumed, Sensitivity,
     Variant, plan, plan_while,
 };
-pub use scene::{Course, CourseOptimum, Farthest, FromBase, Spawn};
+pub use scene::{Course, CourseOptimum, Everywhere, Farthest, FromBase, ReachedCell, Spawn};
 pub use shown::{Moments, PlanSteps, PlanTable, ThinnedHistory, places_csv, places_geojson};
 
 /// A chain under way, of UAVs with the brains that its scenario asks for.

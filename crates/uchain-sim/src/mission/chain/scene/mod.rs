@@ -1,5 +1,6 @@
 //! A scenario laid out in its tunnel: everything a run needs, shared by many runs.
 
+mod everywhere;
 mod from_base;
 mod goal;
 mod notes;
@@ -26,6 +27,7 @@ use crate::{
     sense::GridRays,
 };
 
+pub use everywhere::{Everywhere, ReachedCell};
 pub use from_base::FromBase;
 pub use goal::Farthest;
 pub use optimality::CourseOptimum;
