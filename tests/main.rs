@@ -24,6 +24,8 @@ mod layout;
 mod log;
 /// What is said of files that are wrong.
 mod messages;
+/// Maps that were damaged are read or refused.
+mod mutants;
 /// The papers' figures and tables are what the report says.
 mod paper;
 /// A flight by hand is a scenario.

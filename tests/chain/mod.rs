@@ -1,5 +1,7 @@
 //! A chain: its laws, its sensors, its tunnels.
 
+/// Into a real cave, as its survey has it.
+mod caves;
 /// Every promise of a law holds in the world it flies in.
 mod centering;
 /// Heads come round the corners of the shipped scenarios.

@@ -48,7 +48,8 @@ fn parse(bytes: &[u8]) -> Result<Cells, String> {
     };
     let kind = head(1, "type")?;
     if kind != "octile" {
-        return Err(format!("line 1: type {kind:?}: expected \"octile\""));
+        let shown: String = kind.chars().take(60).collect();
+        return Err(format!("line 1: type {shown:?}: expected \"octile\""));
     }
     let mut side = |number: usize, name: &str| {
         let text = head(number, name)?;
