@@ -22,6 +22,8 @@ mod kept;
 mod layout;
 /// A log of a flight is decided again as it was.
 mod log;
+/// Maps that somebody drew are flown in.
+mod maps;
 /// What is said of files that are wrong.
 mod messages;
 /// Maps that were damaged are read or refused.

@@ -47,3 +47,41 @@ fn bytes_from_the_radio_are_a_packet_of_numbers_or_none() {
         uchain_fuzz::wire(&bytes);
     }
 }
+
+/// Inputs of a target as they are, and with pieces of them lost, doubled or replaced.
+fn replay(target: &str, read: fn(&[u8])) {
+    for (index, input) in corpus(target).into_iter().enumerate() {
+        read(&input);
+        for seed in 0..40 {
+            let draws = drawn(1000 * index as u64 + seed, 8);
+            let at = |draw: usize| usize::from(draws[draw]) * 256 + usize::from(draws[draw + 1]);
+            let mut damaged = input.clone();
+            if damaged.is_empty() {
+                continue;
+            }
+            let from = at(0) % damaged.len();
+            let to = (from + at(2) % 40).min(damaged.len());
+            match draws[4] % 3 {
+                0 => drop(damaged.drain(from..to)),
+                1 => damaged.splice(from..from, input[from..to].iter().copied()).for_each(drop),
+                _ => damaged[from] = draws[5] % 128,
+            }
+            read(&damaged);
+        }
+    }
+}
+
+#[test]
+fn an_svg_drawing_is_a_map_or_refused() {
+    replay("svg", uchain_fuzz::svg);
+}
+
+#[test]
+fn a_geojson_file_is_a_map_or_refused() {
+    replay("geojson", uchain_fuzz::geojson);
+}
+
+#[test]
+fn a_dxf_drawing_is_a_map_or_refused() {
+    replay("dxf", uchain_fuzz::dxf);
+}

@@ -174,6 +174,9 @@ impl Bench {
         map(&here, "map", &[[1.5, 0.0], [40.0, 0.0], [40.0, 12.5]]);
         map(&here, "basement", &[[-50.15, 34.03], [-3.0, 25.7]]);
         map(&here, "floor", &[[0.0, 0.0], [10.0, 0.0], [10.0, 8.0], [0.0, 8.0]]);
+        fs::create_dir(here.join("examples")).unwrap();
+        let maps = fs::canonicalize(root()).unwrap().join("examples/maps");
+        symlink(maps, here.join("examples/maps")).unwrap();
         let row = ".".repeat(100) + "\n";
         fs::write(
             here.join("city.map"),
@@ -200,6 +203,7 @@ impl Bench {
             "part2",
             "part3",
             "part4",
+            "examples",
         ]
         .iter()
         .chain(&["map.yaml", "map.pgm", "basement.yaml", "basement.pgm", "floor.yaml", "floor.pgm"])

@@ -2,15 +2,18 @@
 
 use std::fmt;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// How a map came out of its file.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Import {
     /// What kind of file it was: "SVG"; empty for a map that was no file.
     pub format: &'static str,
     /// What was read, dropped, guessed, merged or separated on the way.
     pub remarks: Vec<Remark>,
+    /// Longitude and latitude of the file frame's origin (degrees, WGS 84), if the file knows where on Earth it lies.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub about_deg: Option<[f64; 2]>,
 }
 
 /// What happened to a part of a file.
@@ -60,10 +63,24 @@ pub struct Material {
     pub loss_db: Option<f32>,
 }
 
+/// What lies outside of all walls, where nobody has drawn free areas.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Outside {
+    /// Rock, if walls enclose half or more of the box around the drawing; else free.
+    #[default]
+    Auto,
+    /// Rock: free is what walls enclose.
+    Rock,
+    /// Free, up to the box around the drawing.
+    Free,
+}
+
 impl Import {
     /// Nothing to tell of a file of this kind yet.
     pub fn of(format: &'static str) -> Self {
-        Self { format, remarks: Vec::new() }
+        Self { format, ..Self::default() }
     }
 
     /// What one should know of the map before a start: all that was not read as it is.
@@ -71,6 +88,13 @@ impl Import {
         let other = self.remarks.iter().filter(|remark| remark.kind != RemarkKind::Read);
         let words: Vec<String> = other.map(ToString::to_string).collect();
         (!words.is_empty()).then(|| format!("the map, read as {}: {}", self.format, words.join("; ")))
+    }
+
+    /// A place of the file's own frame (m) as longitude and latitude (degrees, WGS 84), if it is known where on Earth it lies.
+    pub fn to_degrees(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
+        let [lon, lat] = self.about_deg?;
+        let [of_lon_m, of_lat_m] = metres_of_a_degree(lat);
+        Some([lon + x / of_lon_m, lat + y / of_lat_m])
     }
 
     /// Adds a remark, unless it is about nothing.
@@ -96,5 +120,36 @@ impl fmt::Display for RemarkKind {
 impl fmt::Display for Remark {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {} {}", self.kind, self.count, self.what)
+    }
+}
+
+/// Metres of a degree of longitude and of one of latitude, at a latitude on the ellipsoid of WGS 84.
+pub(super) fn metres_of_a_degree(latitude_deg: f64) -> [f64; 2] {
+    // Half the long axis (m) and the square of the eccentricity: NIMA TR8350.2, table 3.1.
+    const EQUATOR_M: f64 = 6_378_137.0;
+    const ECCENTRICITY_2: f64 = 6.694_379_990_14e-3;
+    let (sin, cos) = (libm::sin(latitude_deg.to_radians()), libm::cos(latitude_deg.to_radians()));
+    let flattened = 1.0 - ECCENTRICITY_2 * sin * sin;
+    let across_m = EQUATOR_M / flattened.sqrt();
+    let along_m = across_m * (1.0 - ECCENTRICITY_2) / flattened;
+    [(across_m * cos).to_radians(), along_m.to_radians()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn degrees_are_as_long_as_geodesists_say() {
+        // Nautical almanacs: 110,574 m and 111,320 m at the equator, 111,132 m and 78,847 m at 45 degrees.
+        for (latitude_deg, [of_lon_m, of_lat_m]) in
+            [(0.0, [111_319.5, 110_574.3]), (45.0, [78_846.8, 111_131.8])]
+        {
+            let [x_m, y_m] = metres_of_a_degree(latitude_deg);
+            assert!(
+                (x_m - of_lon_m).abs() < 0.1 && (y_m - of_lat_m).abs() < 0.1,
+                "{latitude_deg}: {x_m} {y_m}"
+            );
+        }
     }
 }

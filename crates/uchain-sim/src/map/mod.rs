@@ -12,7 +12,6 @@
 
 mod cells;
 #[cfg(feature = "drawings")]
-#[cfg_attr(not(test), expect(dead_code, reason = "the readers of drawings follow"))]
 mod drawing;
 mod error;
 mod formats;
@@ -38,24 +37,24 @@ use rapier2d::prelude::SharedShape;
 use serde::{Deserialize, Serialize};
 
 pub use cells::CellGrid;
-#[cfg(feature = "drawings")]
-pub use drawing::Outside;
 pub use error::MapError;
 #[cfg(feature = "schema")]
 pub(crate) use formats::shape;
 pub use formats::{
-    CorridorConfig, CsvConfig, FORMATS, Format, MapConfig, MovingAiConfig, RosConfig, SNIFFED, SubtConfig,
-    SurvexConfig, Vertex, WallsConfig, corridor, drawn, kind_of_map, map_files, read_moving_ai, read_ros,
-    read_subt, read_survex,
+    CorridorConfig, CsvConfig, DxfConfig, FORMATS, Format, GeojsonConfig, MapConfig, MovingAiConfig,
+    RosConfig, SNIFFED, SubtConfig, SurvexConfig, SvgConfig, Vertex, WallsConfig, corridor, drawn,
+    kind_of_map, map_files, read_moving_ai, read_ros, read_subt, read_survex,
 };
 pub(crate) use formats::{FRAME_MAX_M, Fault, tables};
+#[cfg(feature = "drawings")]
+pub use formats::{dxf_in_memory, geojson_in_memory, svg_in_memory};
 #[cfg(feature = "maps")]
 pub use formats::{ros_in_memory, ros_picture};
 #[cfg(feature = "drawings")]
 pub use formats::{subt_in_memory, survex_in_memory};
 pub use geodesic::{Geodesic, MOST_CORNERS, Trail};
 pub use geometry::Segment;
-pub use import::{Import, Material, Place, Remark, RemarkKind};
+pub use import::{Import, Material, Outside, Place, Remark, RemarkKind};
 pub use numbers::{MapNumbers, Narrowest, STAR_WIDTH_M, UAV_MARGIN_M, Widths};
 pub use skeleton::{GraphEdge, GraphNode, NARROWEST_M, NodeKind, TunnelGraph, WayTree};
 pub use tunnel::{CentreLine, Tunnel};

@@ -4,13 +4,14 @@
 mod apart;
 mod free;
 mod made_of;
+pub(in crate::map) mod reading;
 #[cfg(test)]
 mod tests;
 
 use geo::{Coord, LineString, Orient, Polygon, orient::Direction};
 use glam::DVec2;
 
-use super::{Import, Map, MapError, Material, Place, RemarkKind};
+use super::{Import, Map, MapError, Material, Outside, Place, RemarkKind};
 
 /// Most corners of a drawing.
 pub(crate) const MOST_CORNERS: usize = 1_000_000;
@@ -42,20 +43,6 @@ pub(crate) struct Wall {
     pub(crate) thickness_m: f64,
     /// By [`Drawing::material`].
     pub(crate) material: Option<usize>,
-}
-
-/// What lies outside of all walls, where nobody has drawn free areas.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub enum Outside {
-    /// Rock, if walls enclose half or more of the box around the drawing; else free.
-    #[default]
-    Auto,
-    /// Rock: free is what walls enclose.
-    Rock,
-    /// Free, up to the box around the drawing.
-    Free,
 }
 
 /// What a file shows, as it shows it.

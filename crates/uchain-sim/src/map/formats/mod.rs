@@ -3,6 +3,8 @@
 
 mod corridor;
 mod csv;
+mod dxf;
+mod geojson;
 #[cfg(all(test, feature = "drawings"))]
 mod hostile;
 mod moving_ai;
@@ -11,6 +13,7 @@ pub(in crate::map) mod ros;
 pub(crate) mod shape;
 mod subt;
 mod survex;
+mod svg;
 #[cfg(test)]
 mod tests;
 mod walls;
@@ -24,6 +27,12 @@ use super::{CentreLine, Map, MapError};
 
 pub use corridor::{CorridorConfig, Vertex, corridor};
 pub use csv::CsvConfig;
+pub use dxf::DxfConfig;
+#[cfg(feature = "drawings")]
+pub use dxf::dxf_in_memory;
+pub use geojson::GeojsonConfig;
+#[cfg(feature = "drawings")]
+pub use geojson::geojson_in_memory;
 pub use moving_ai::{MovingAiConfig, read_moving_ai};
 pub use ros::{RosConfig, read_ros};
 #[cfg(feature = "maps")]
@@ -34,6 +43,9 @@ pub use subt::{SubtConfig, read_subt};
 #[cfg(feature = "drawings")]
 pub use survex::survex_in_memory;
 pub use survex::{SurvexConfig, read_survex};
+pub use svg::SvgConfig;
+#[cfg(feature = "drawings")]
+pub use svg::svg_in_memory;
 pub use walls::{WallsConfig, drawn};
 
 /// Farthest place in a map's own frame (m): a surveyor's coordinates; `f64` keeps a millimetre there with ease.
@@ -167,6 +179,12 @@ formats! {
     Survex(SurvexConfig) = survex::FORMAT;
     /// A tunnel of SubT tiles.
     Subt(SubtConfig) = subt::FORMAT;
+    /// An SVG drawing.
+    Svg(SvgConfig) = svg::FORMAT;
+    /// A GeoJSON file.
+    Geojson(GeojsonConfig) = geojson::FORMAT;
+    /// A DXF drawing.
+    Dxf(DxfConfig) = dxf::FORMAT;
 }
 
 impl MapConfig {

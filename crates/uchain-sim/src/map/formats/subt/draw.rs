@@ -7,8 +7,8 @@ use super::{
     tiles::{Kind, LEVEL_M, Layout, SIDES, TILE_M, Tile},
 };
 use crate::map::{
-    Import, Place, RemarkKind,
-    drawing::{Drawing, Outside, Shape},
+    Import, Outside, Place, RemarkKind,
+    drawing::{Drawing, Shape},
 };
 
 /// How far two tunnels that join reach into one another (m), and how thick the rock is behind an opening that leads nowhere.

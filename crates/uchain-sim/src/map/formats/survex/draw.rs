@@ -10,8 +10,8 @@ use super::{
     read::Survey,
 };
 use crate::map::{
-    Import, Map, MapError, Place, RemarkKind,
-    drawing::{Drawing, Outside, Shape},
+    Import, Map, MapError, Outside, Place, RemarkKind,
+    drawing::{Drawing, Shape},
 };
 
 /// Edges shorter than this are drawn together (m).
