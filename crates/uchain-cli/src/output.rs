@@ -64,8 +64,11 @@ pub(crate) const PLAN: Names = Names {
     picture: "plan.png",
     recording: None,
     others: &["places.csv", "places.geojson"],
-    replaces: &["plan.json", "plan.png", "places.csv", "places.geojson"],
+    replaces: &["plan.json", "plan.png", "places.csv", "places.geojson", "everywhere.csv", "everywhere.png"],
 };
+/// The same with `--everywhere`.
+pub(crate) const PLAN_EVERYWHERE: Names =
+    Names { others: &["places.csv", "places.geojson", "everywhere.csv", "everywhere.png"], ..PLAN };
 /// What `uchain node` leaves.
 pub(crate) const NODE: Names = Names {
     numbers: "node.json",
@@ -78,7 +81,7 @@ pub(crate) const NODE: Names = Names {
 pub(crate) const INSPECT: Names =
     Names { numbers: "inspect.json", recording: None, replaces: &["inspect.json", "run.png"], ..RUN };
 
-const ALL: [&Names; 4] = [&RUN, &PLAN, &NODE, &INSPECT];
+const ALL: [&Names; 5] = [&RUN, &PLAN, &PLAN_EVERYWHERE, &NODE, &INSPECT];
 
 /// Whether some command leaves a file of this name.
 fn is_result(name: &str) -> bool {

@@ -18,6 +18,7 @@ Examples:
   uchain plan basement.yaml --base=-50.15,34.03 --goal=-3,25.7 --speed 0.1 --stay 2
   uchain plan map.pgm --cell 0.1 --base=2,2 --goal=40.5,14.5   a picture, 0.1 m a pixel
   uchain plan corner --budget crazyflie --fly 2   a radio's data sheet, and two flights
+  uchain plan basement.yaml --base=-50.15,34.03 --goal=-3,25.7 --everywhere   where else could one go?
 
 A bare map needs --base and --goal: X,Y in the map's own frame, or places that it names. --from and --to cut a
 branch out of a cave survey, with base and goal at its ends. What is assumed is said first; then relays against
@@ -62,6 +63,9 @@ pub(crate) struct Plan {
     pub(crate) reserve: Option<f64>,
     #[arg(long, value_name = "BUDGET", value_parser = LinkBudget::read, help = BUDGET)]
     pub(crate) budget: Option<LinkBudget>,
+    /// Work out the relays that every place of the map needs, too: everywhere.png and everywhere.csv
+    #[arg(long)]
+    pub(crate) everywhere: bool,
     /// Fly the plan with seeds 1 to N, and set flights beside plan
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1000))]
     pub(crate) fly: Option<u64>,

@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use uchain_sim::{
     map::Tunnel,
     mission::chain::{
-        Course, Plan as Planned, PlanOptions, PlanSteps, PlanTable, RESERVE, places_csv, places_geojson,
+        Course, Plan as Planned, PlanOptions, PlanSteps, PlanTable, RESERVE, Reach, everywhere_csv, everywhere_png, places_csv, places_geojson,
         plan_png, plan_while,
     },
     registry::{PlanArgument, PlanFlight, PlanFor, PlanRequest, Registry},
@@ -64,6 +64,9 @@ pub(crate) fn compute(registry: Registry, asked: &Plan) -> Result<(), Failure> {
     };
     let mut plan = plan_while(course, &options, &mut || !interrupted())?;
     plan.budget = made_for.budget;
+    let everywhere = asked.everywhere.then(|| course.relays_everywhere()).transpose();
+    let everywhere = everywhere.map_err(|cause| Failure::Map(format!("--everywhere: {cause}")))?;
+    plan.everywhere = everywhere.as_ref().map(Reach::of);
     if let Some(seeds) = asked.fly {
         fly(course, &mut plan, seeds, &spinner)?;
     }
@@ -71,9 +74,19 @@ pub(crate) fn compute(registry: Registry, asked: &Plan) -> Result<(), Failure> {
     let picture = plan_png(course, &plan, &table.answer())?;
     let json = serde_json::to_string_pretty(&plan)? + "\n";
     let (csv, geojson) = (places_csv(&plan), places_geojson(&plan));
-    folder.write(&output::PLAN, json.as_bytes(), &picture, &[csv.as_bytes(), geojson.as_bytes()])?;
+    let mut others = vec![csv.into_bytes(), geojson.into_bytes()];
+    let names = match &everywhere {
+        Some(everywhere) => {
+            others.push(everywhere_csv(&course.map, everywhere).into_bytes());
+            others.push(everywhere_png(course, everywhere)?);
+            output::PLAN_EVERYWHERE
+        }
+        None => output::PLAN,
+    };
+    let others: Vec<&[u8]> = others.iter().map(Vec::as_slice).collect();
+    folder.write(&names, json.as_bytes(), &picture, &others)?;
     spinner.finish_and_clear();
-    asked.say.result(&json, || format!("{}files: {}\n", table.text(), folder.says(&output::PLAN)))
+    asked.say.result(&json, || format!("{}files: {}\n", table.text(), folder.says(&names)))
 }
 
 /// Flies the plan, and notes what came of it.

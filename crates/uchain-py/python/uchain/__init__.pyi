@@ -283,6 +283,7 @@ def plan(
     stay_min: float = 0.0,
     reserve: float = 0.2,
     budget: str | PathLike[str] | dict[str, float] | None = None,
+    everywhere: bool = False,
     fly: int | None = None,
 ) -> Plan: ...
 @final

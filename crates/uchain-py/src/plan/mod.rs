@@ -9,7 +9,7 @@ use pyo3::{prelude::*, types::PyTuple};
 use uchain_sim::{
     map::Tunnel,
     mission::chain::{
-        self, Course, Place, PlanError, PlanOptions, PlanRow, PlanSteps, PlanTable, RESERVE, UAVS_MAX,
+        self, Course, Place, PlanError, PlanOptions, PlanRow, PlanSteps, PlanTable, RESERVE, Reach, UAVS_MAX,
         plan_png, plan_while,
     },
     record::table::{Column, Table, Values},
@@ -223,6 +223,8 @@ fn not_flown(error: &PlanFlightError) -> PyErr {
 /// budget : str, os.PathLike or dict, optional
 ///     What limit and reference loss are worked out from: "crazyflie", a TOML file, or a dict with `tx_dbm`, `tx_gain_dbi`,
 ///     `rx_gain_dbi`, `sensitivity_dbm`, `margin_db`, `frequency_mhz`.
+/// everywhere : bool
+///     Work out how much of the map is in reach with so many relays, too: `plan.summary["everywhere"]`.
 /// fly : int, optional
 ///     Fly the plan with seeds 1 to `fly` (at most 1000) and set flights beside plan: `plan.summary["flown"]`.
 ///
@@ -242,7 +244,7 @@ fn not_flown(error: &PlanFlightError) -> PyErr {
 /// >>> print(uchain.plan("straight", to_m=12, uavs=2).answer)
 /// 12 m need 2 relays (3 UAVs), 2 at hand: too few; ...
 #[pyfunction]
-#[pyo3(signature = (what, *, to_m=None, step_m=None, uavs=None, speed_mps=None, base_m=None, goal_m=None, heading_deg=None, cell_m=None, from_station=None, to_station=None, stay_min=0.0, reserve=RESERVE, budget=None, fly=None))]
+#[pyo3(signature = (what, *, to_m=None, step_m=None, uavs=None, speed_mps=None, base_m=None, goal_m=None, heading_deg=None, cell_m=None, from_station=None, to_station=None, stay_min=0.0, reserve=RESERVE, budget=None, everywhere=false, fly=None))]
 #[expect(clippy::too_many_arguments, reason = "one for each option of the command line")]
 fn plan(
     what: &Bound<'_, PyAny>,
@@ -259,6 +261,7 @@ fn plan(
     stay_min: f64,
     reserve: f64,
     budget: Option<&Bound<'_, PyAny>>,
+    everywhere: bool,
     fly: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Plan> {
     let py = what.py();
@@ -305,6 +308,11 @@ fn plan(
                 let plan = plan_while(course, &options, &mut go_on);
                 let mut plan = plan.map_err(|error| no_plan(&error))?;
                 plan.budget = made_for.budget;
+                if everywhere {
+                    let reached = course.relays_everywhere();
+                    let reached = reached.map_err(|cause| ScenarioError::new_err(format!("everywhere: {cause}")))?;
+                    plan.everywhere = Some(Reach::of(&reached));
+                }
                 if let Some(seeds) = fly {
                     let flight = PlanFlight::new(course, &plan).map_err(|error| not_flown(&error))?;
                     let flown = flight.fly(seeds as u64, &|_| !stop.load(Ordering::Relaxed));

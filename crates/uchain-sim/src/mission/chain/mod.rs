@@ -51,15 +51,15 @@ pub use mcap::{ChainTopics, McapRecorder};
 pub use members::{Member, MemberError, Members};
 pub use metrics::{LinkSummary, Metrics, Summary, Timeline};
 #[cfg(feature = "draw")]
-pub use picture::{plan_png, run_picture, run_png};
+pub use picture::{everywhere_png, plan_png, run_picture, run_png};
 use pilot::Steering;
 pub use plan::{
     Assumptions, Batteries, Battery, BatteryAssumed, Flown, FlownRun, HeadAssumed, Launch, MOST_LISTED,
-    MOST_ROWS, MapAssumed, Place, Plan, PlanError, PlanOptions, PlanRow, RESERVE, RadioAssumed, Sensitivity,
+    MOST_ROWS, MapAssumed, Place, Plan, PlanError, PlanOptions, PlanRow, RESERVE, RadioAssumed, Reach, Sensitivity,
     Variant, plan, plan_while,
 };
 pub use scene::{Course, CourseOptimum, Everywhere, Farthest, FromBase, ReachedCell, Spawn};
-pub use shown::{Moments, PlanSteps, PlanTable, ThinnedHistory, places_csv, places_geojson};
+pub use shown::{Moments, PlanSteps, PlanTable, ThinnedHistory, everywhere_csv, places_csv, places_geojson};
 
 /// A chain under way, of UAVs with the brains that its scenario asks for.
 pub type Chain<R = GridRays> = ChainOf<AnyBrain, R>;

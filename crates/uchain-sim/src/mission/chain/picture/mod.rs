@@ -1,5 +1,6 @@
 //! Pictures of a chain: a run on one page, and a plan.
 
+mod everywhere;
 mod losses;
 mod places;
 mod plan;
@@ -13,6 +14,7 @@ use crate::draw::{
     DrawError, FIGURE_WIDTH, LEFT, LINE, LONGEST, LONGEST_HEADLINE, Panel, Picture, TEXT_LABEL, TEXT_LARGE,
     panel, raster, wrapped,
 };
+pub use everywhere::everywhere_png;
 use losses::Losses;
 use places::Places;
 use tunnel::Tunnel;

@@ -6,6 +6,7 @@ mod clock;
 mod error;
 mod flown;
 mod places;
+mod reach;
 mod sensitivity;
 #[cfg(test)]
 mod tests;
@@ -27,6 +28,7 @@ pub use battery::{Batteries, Battery};
 pub use error::PlanError;
 pub use flown::{Flown, FlownRun};
 pub use places::Place;
+pub use reach::Reach;
 pub use sensitivity::{Sensitivity, Variant};
 
 use clock::Clock;
@@ -83,6 +85,8 @@ pub struct Plan {
     pub would_help: Option<String>,
     /// What the limit was worked out from, if it was.
     pub budget: Option<Budgeted>,
+    /// How much of the map is in reach with so many relays, if that was asked.
+    pub everywhere: Option<Reach>,
     /// What it came to when it was flown, if it was.
     pub flown: Option<Flown>,
 }
@@ -218,6 +222,7 @@ pub fn plan_while(
         verdict: String::new(),
         would_help: None,
         budget: None,
+        everywhere: None,
         flown: None,
     };
     let mut feasible_so_far = true;

@@ -15,7 +15,7 @@ use crate::{
 };
 
 pub use history::ThinnedHistory;
-pub use plan::{PlanSteps, PlanTable, places_csv, places_geojson};
+pub use plan::{PlanSteps, PlanTable, everywhere_csv, places_csv, places_geojson};
 
 impl Shown for Chain {
     type History = ThinnedHistory;

@@ -183,3 +183,27 @@ pub(super) fn budget(plan: &Plan) -> String {
     let _ = writeln!(text, "  to fly by it: {}", sets.join(" "));
     text
 }
+
+/// Most numbers of relays of which the share in reach is told.
+const SHARES_SHOWN: usize = 12;
+
+/// How much of the map is in reach.
+pub(super) fn reach(plan: &Plan) -> String {
+    let Some(reach) = &plan.everywhere else { return String::new() };
+    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+    let every = reach.share_within.len().div_ceil(SHARES_SHOWN).max(1);
+    let last = reach.share_within.len().saturating_sub(1);
+    let shares: Vec<String> = reach
+        .share_within
+        .iter()
+        .enumerate()
+        .filter(|(relays, _)| relays % every == 0 || *relays == last)
+        .map(|(relays, share)| format!("{relays}: {}", percent(*share)))
+        .collect();
+    format!(
+        "\neverywhere: {:.0} m² of free ground, of which {} are joined with the base; in reach with so many relays: {}\n",
+        reach.free_area_m2,
+        percent(reach.share_joined),
+        shares.join(", ")
+    )
+}

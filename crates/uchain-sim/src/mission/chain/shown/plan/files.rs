@@ -2,7 +2,10 @@
 
 use std::fmt::Write as _;
 
-use crate::mission::chain::{Place, Plan};
+use crate::{
+    map::Map,
+    mission::chain::{Everywhere, Place, Plan},
+};
 
 /// A row per relay (`places.csv`), the one next to the head first. What nobody knows is empty.
 pub fn places_csv(plan: &Plan) -> String {
@@ -56,6 +59,19 @@ pub fn places_geojson(plan: &Plan) -> String {
         features.push(link(front_m, map.base_m, last.link_db, plan.s_min_db));
     }
     format!("{{\"type\": \"FeatureCollection\", \"features\": [\n{}\n]}}\n", features.join(",\n"))
+}
+
+/// A row per cell that can be reached (`everywhere.csv`): its middle in the map file's own frame, how far it is from the base,
+/// and the relays that a head there needs, empty where no number is enough.
+pub fn everywhere_csv(map: &Map, everywhere: &Everywhere) -> String {
+    let [left_m, bottom_m] = map.offset_m();
+    let mut text = "x_m,y_m,depth_m,relays\n".to_owned();
+    for cell in &everywhere.cells {
+        let (x_m, y_m) = (f64::from(cell.at.x) + left_m, f64::from(cell.at.y) + bottom_m);
+        let relays = cell.relays.map_or_else(String::new, |relays| relays.to_string());
+        let _ = writeln!(text, "{x_m:.3},{y_m:.3},{:.3},{relays}", cell.depth_m);
+    }
+    text
 }
 
 fn point([x_m, y_m]: [f64; 2], properties: &str) -> String {

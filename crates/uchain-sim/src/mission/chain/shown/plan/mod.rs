@@ -15,7 +15,7 @@ use crate::{
 
 pub(in crate::mission::chain) use answer::{answer, help};
 use answer::{cut, too_few, too_long};
-pub use files::{places_csv, places_geojson};
+pub use files::{everywhere_csv, places_csv, places_geojson};
 
 /// Most rows by default.
 const ROWS_MAX: f64 = 20.0;
@@ -109,6 +109,7 @@ impl<'a> PlanTable<'a> {
         text += &blocks::batteries(plan);
         text += &blocks::sensitivity(plan);
         text += &blocks::budget(plan);
+        text += &blocks::reach(plan);
         text += &flown::flown(plan);
         let _ = writeln!(text, "\n{}", self.answer());
         text
