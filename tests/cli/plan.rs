@@ -294,6 +294,36 @@ fn flights_are_set_beside_the_plan() {
 }
 
 #[test]
+fn the_map_is_coloured_by_the_relays_that_each_place_needs() {
+    let here = folder();
+    let output = uchain(here.path(), &["plan", "corner", "--everywhere"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(stdout(&output).contains("\neverywhere: "), "{}", stdout(&output));
+    assert!(stdout(&output).ends_with("everywhere.csv and everywhere.png\n"), "{}", stdout(&output));
+    let results = here.path().join("plans/corner");
+    let picture = image::load_from_memory(&fs::read(results.join("everywhere.png")).unwrap()).unwrap();
+    assert_eq!(picture.width(), 1400);
+    let plan: Value = serde_json::from_str(&fs::read_to_string(results.join("plan.json")).unwrap()).unwrap();
+    let shares: Vec<f64> = plan["everywhere"]["share_within"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|share| share.as_f64().unwrap())
+        .collect();
+    assert!(shares.is_sorted() && shares[0] > 0.0 && *shares.last().unwrap() <= 1.0, "{shares:?}");
+    // The tunnel's end needs as many as the plan says, give or take where in the end one stands.
+    let most = plan["everywhere"]["relays_most"].as_u64().unwrap();
+    let planned = plan["uavs_needed"].as_u64().unwrap() - 1;
+    assert!(most.abs_diff(planned) <= 1, "{most} and {planned}");
+    let csv = fs::read_to_string(results.join("everywhere.csv")).unwrap();
+    assert!(csv.starts_with("x_m,y_m,depth_m,relays\n") && csv.lines().count() > 100);
+    // A plan without it leaves none of the files that spoke of another.
+    let plain = uchain(here.path(), &["plan", "corner", "--quiet"]);
+    assert_eq!(plain.status.code(), Some(0));
+    assert!(!results.join("everywhere.csv").exists() && !results.join("everywhere.png").exists());
+}
+
+#[test]
 fn a_place_in_rock_is_answered_with_one_nearby_where_there_is_room() {
     let here = folder();
     let output = uchain(here.path(), &["plan", "corner", "--goal=0,2"]);
