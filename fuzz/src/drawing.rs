@@ -32,7 +32,7 @@ pub fn dxf(bytes: &[u8]) {
     judge(dxf_in_memory(Path::new("a.dxf"), bytes, &DxfConfig::default()));
 }
 
-fn judge(read: Result<Map, MapError>) {
+pub(crate) fn judge(read: Result<Map, MapError>) {
     match read {
         Ok(map) => {
             assert_eq!(map.first_crossing(), None);

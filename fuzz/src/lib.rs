@@ -6,8 +6,10 @@
 mod bytes;
 mod drawing;
 mod node;
+mod survey;
 mod wire;
 
 pub use drawing::{dxf, geojson, svg};
 pub use node::node;
+pub use survey::{subt, survex};
 pub use wire::wire;

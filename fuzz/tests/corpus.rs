@@ -85,3 +85,13 @@ fn a_geojson_file_is_a_map_or_refused() {
 fn a_dxf_drawing_is_a_map_or_refused() {
     replay("dxf", uchain_fuzz::dxf);
 }
+
+#[test]
+fn a_survey_is_a_map_or_refused() {
+    replay("survex", uchain_fuzz::survex);
+}
+
+#[test]
+fn a_layout_of_tiles_is_a_map_or_refused() {
+    replay("subt", uchain_fuzz::subt);
+}

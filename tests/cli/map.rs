@@ -115,7 +115,14 @@ fn maps_of_scenarios_are_told_too_and_what_is_wrong_is_said() {
     let here = folder();
     let info = ok(here.path(), &["map", "info", "corner"]);
     assert!(info.starts_with("corner: drawn in the scenario\n"), "{info}");
-    ok(here.path(), &["map", "convert", "corner", "corner.csv"]);
+    let area = |what: &str| -> f64 {
+        let info: Value = serde_json::from_str(&ok(here.path(), &["map", "info", what, "--json"])).unwrap();
+        info["numbers"]["free_area_m2"].as_f64().unwrap()
+    };
+    for other in ["corner.csv", "corner.svg", "corner.geojson"] {
+        ok(here.path(), &["map", "convert", "corner", other]);
+        assert!((area(other) - area("corner")).abs() < 0.02, "{other}: {} m2", area(other));
+    }
     assert!(ok(here.path(), &["map", "info", "corner.csv"]).contains("\nwalls "));
 
     fs::write(here.path().join("notes.txt"), "no map").unwrap();

@@ -19,8 +19,11 @@ const FOLDERS: [&str; 3] = ["maps", "caves", "subt"];
 /// Ends of the names of map files. A picture that a yaml file names is read with that.
 const ENDS: [&str; 7] = ["map", "yaml", "pgm", "png", "3d", "tsv", "dot"];
 /// What some files need to be said, for they do not say it themselves; a file may stand here more than once.
-const SAID: [(&str, &[&str], &str); 1] =
-    [("willow-full-0.05.pgm", &["--cell", "0.05"], "a bare picture; its name says 0.05 m")];
+const SAID: [(&str, &[&str], &str); 3] = [
+    ("willow-full-0.05.pgm", &["--cell", "0.05"], "a bare picture; its name says 0.05 m"),
+    ("DowProv.3d", &[], "all of it"),
+    ("DowProv.3d", &["--from", "dowcave.entrance", "--to", "dow1.12"], "the way to a station"),
+];
 /// Longest that one command may take.
 const PATIENCE: Duration = Duration::from_secs(120);
 /// Between two looks whether it has ended.

@@ -6,7 +6,7 @@ use uchain_sim::{
     config::{Source, kind_of_map},
     map::{
         Map, ros_picture,
-        write::{RosCells, write_csv},
+        write::{RosCells, write_csv, write_geojson, write_svg},
     },
     registry::Registry,
 };
@@ -92,8 +92,10 @@ impl Written {
                 }
                 Ok(one(text, words))
             }
+            "svg" => Ok(one(write_svg(map), "walls as outlines, to draw on in Inkscape".to_owned())),
+            "geojson" | "json" => Ok(one(write_geojson(map), "walls as polygons, for a GIS".to_owned())),
             _ => Err(Failure::Usage(format!(
-                "{}: expected a name that ends in .yaml, .pgm, .png, .csv",
+                "{}: expected a name that ends in .yaml, .pgm, .png, .svg, .geojson or .csv",
                 out.display()
             ))),
         }
