@@ -6,7 +6,11 @@ use crate::shared_cases;
 
 /// What reading a map file, or a scenario file, comes to.
 fn said(path: &str) -> String {
-    let read = Source::find(path).and_then(|source| Registry::default().read(&source, &[]));
+    said_with(path, &[])
+}
+
+fn said_with(path: &str, sets: &[String]) -> String {
+    let read = Source::find(path).and_then(|source| Registry::default().read(&source, sets));
     read.map_or_else(|error| error.to_string(), |_| "ok".to_owned())
 }
 
@@ -27,9 +31,9 @@ fn what_is_wrong_with_a_map_is_said_without_a_line_of_a_scenario_that_nobody_wro
         let path = folder.join(name).display().to_string();
         assert_eq!(said(&path), format!("{path}: {expected}"));
     }
-    assert_eq!(
-        said(&folder.join("l8.png").display().to_string()),
-        "ok",
-        "the control: a picture that is whole"
-    );
+    let picture = folder.join("l8.png").display().to_string();
+    let scale = ["map.cell_m=0.05".to_owned()];
+    assert_eq!(said_with(&picture, &scale), "ok", "the control: a picture that is whole");
+    let alone = said(&picture);
+    assert!(alone.contains("a picture does not say how large its pixels are"), "{alone}");
 }

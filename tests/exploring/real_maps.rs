@@ -46,7 +46,7 @@ fn twenty_robots_explore_an_office_building_and_come_home() {
     let building = data.join("maps/ros/willow/willow-full-0.05.pgm");
     explored(
         &building,
-        &["explore.robots=20"],
+        &["map.cell_m=0.05", "explore.robots=20"],
         1000,
         0.89,
         "of 1106.6 m2 in reach (45 %) lie in or behind passages narrower than 0.90 m, in 48 places",

@@ -8,8 +8,8 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use uchain_sim::{
     map::Tunnel,
     mission::chain::{
-        Course, Plan as Planned, PlanOptions, PlanSteps, PlanTable, RESERVE, Reach, everywhere_csv, everywhere_png, places_csv, places_geojson,
-        plan_png, plan_while,
+        Course, Plan as Planned, PlanOptions, PlanSteps, PlanTable, RESERVE, Reach, everywhere_csv,
+        everywhere_png, places_csv, places_geojson, plan_png, plan_while,
     },
     registry::{PlanArgument, PlanFlight, PlanFor, PlanRequest, Registry},
 };

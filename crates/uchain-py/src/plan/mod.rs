@@ -310,7 +310,8 @@ fn plan(
                 plan.budget = made_for.budget;
                 if everywhere {
                     let reached = course.relays_everywhere();
-                    let reached = reached.map_err(|cause| ScenarioError::new_err(format!("everywhere: {cause}")))?;
+                    let reached =
+                        reached.map_err(|cause| ScenarioError::new_err(format!("everywhere: {cause}")))?;
                     plan.everywhere = Some(Reach::of(&reached));
                 }
                 if let Some(seeds) = fly {

@@ -55,8 +55,8 @@ pub use picture::{everywhere_png, plan_png, run_picture, run_png};
 use pilot::Steering;
 pub use plan::{
     Assumptions, Batteries, Battery, BatteryAssumed, Flown, FlownRun, HeadAssumed, Launch, MOST_LISTED,
-    MOST_ROWS, MapAssumed, Place, Plan, PlanError, PlanOptions, PlanRow, RESERVE, RadioAssumed, Reach, Sensitivity,
-    Variant, plan, plan_while,
+    MOST_ROWS, MapAssumed, Place, Plan, PlanError, PlanOptions, PlanRow, RESERVE, RadioAssumed, Reach,
+    Sensitivity, Variant, plan, plan_while,
 };
 pub use scene::{Course, CourseOptimum, Everywhere, Farthest, FromBase, ReachedCell, Spawn};
 pub use shown::{Moments, PlanSteps, PlanTable, ThinnedHistory, everywhere_csv, places_csv, places_geojson};
@@ -191,6 +191,7 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
 
 impl<B: Law, R: Rays> ChainOf<B, R> {
     fn with(course: Arc<Course>, seed: u64, rays: Arc<R>, world: World) -> Self {
+        course.from_base.prepare(&course.map);
         let scenario = &course.scenario;
         let uavs = course.spawns.len();
         let senses = Senses {

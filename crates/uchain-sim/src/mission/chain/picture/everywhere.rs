@@ -13,7 +13,7 @@ use super::{
     region::{Region, square},
 };
 use crate::draw::{
-    DrawError, FIGURE_WIDTH, LEFT, LONGEST_HEADLINE, LINE, TEXT_LARGE,
+    DrawError, FIGURE_WIDTH, LEFT, LINE, LONGEST_HEADLINE, TEXT_LARGE,
     colour::{self, GREY, WALL},
     ground,
     name::legend,

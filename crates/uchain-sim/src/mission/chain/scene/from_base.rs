@@ -79,14 +79,22 @@ impl FromBase {
         }
     }
 
+    /// Prepares what takes long, so that no tick of a run has to.
+    pub(crate) fn prepare(&self, map: &Map) {
+        if let Way::Shortest(known) = &self.way {
+            self.shortest(known, map);
+        }
+    }
+
+    fn shortest<'k>(&self, known: &'k OnceLock<Option<Geodesic>>, map: &Map) -> Option<&'k Geodesic> {
+        known.get_or_init(|| map.geodesic(self.base).ok()).as_ref()
+    }
+
     /// Distance of a place for somebody who travels (m), as [`Geodesic::follow_m`] has it; `None` in rock and out of
     /// reach. `map` is the map this came from.
     pub fn follow_m(&self, map: &Map, trail: &mut Trail, p: Vec2) -> Option<f32> {
         match &self.way {
-            Way::Shortest(known) => {
-                let geodesic = known.get_or_init(|| map.geodesic(self.base).ok());
-                geodesic.as_ref()?.follow_m(map, trail, p)
-            }
+            Way::Shortest(known) => self.shortest(known, map)?.follow_m(map, trail, p),
             Way::Along(tunnel) => (!map.in_rock(p)).then(|| tunnel.depth_m(p).max(0.0) as f32),
             Way::TooLong(_) => None,
         }
