@@ -9,7 +9,7 @@ const BASE: &str = "Where the base station stands: X,Y in the map's own frame, o
 const HEADING: &str = "Direction of the tunnel at the base (short for --set chain.heading_deg=DEG)";
 const GOAL: &str = "The deepest place the head may be sent to: X,Y, or a place that the map names";
 const BUDGET: &str = "Work limit and reference loss out of a link budget, all in path loss: crazyflie, a .toml file, or \
-                      key=value,… of tx_dbm, tx_gain_dbi, rx_gain_dbi, sensitivity_dbm, margin_db, frequency_mhz";
+                      key=value,key=value of tx_dbm, tx_gain_dbi, rx_gain_dbi, sensitivity_dbm, margin_db, frequency_mhz";
 
 const EXAMPLES: &str = "\
 Examples:

@@ -10,6 +10,7 @@
 use std::{
     collections::BTreeMap,
     fmt,
+    fs::File,
     path::{Path, PathBuf},
 };
 
@@ -56,7 +57,13 @@ pub fn read_ros(
     let end = yaml.extension().unwrap_or_default();
     let is_called_so = PICTURES.iter().any(|picture| end.eq_ignore_ascii_case(picture));
     let mut meta = if is_called_so || beginning(yaml).is_some_and(|bytes| is_picture(&bytes)) {
-        let cell_m = cell_m.ok_or_else(|| MapError::NoScale { file: yaml.to_owned() })?;
+        let cell_m = match (cell_m, File::open(yaml)) {
+            (Some(cell_m), _) => cell_m,
+            (None, Ok(_)) => return Err(MapError::NoScale { file: yaml.to_owned() }),
+            (None, Err(error)) => {
+                return Err(MapError::Read { file: yaml.to_owned(), why: error.to_string() });
+            }
+        };
         Meta::of_picture(yaml, cell_m)
     } else {
         let bytes =
