@@ -41,7 +41,12 @@ fn holds(map: &Map, format: &str, again: &Map) {
             assert_eq!(again.in_rock(again.to_local(map.to_file(at))), map.in_rock(at), "{format}: {at}");
         }
     }
-    assert_eq!(again.places(), map.places(), "{format}");
+    assert_eq!(again.places().len(), map.places().len(), "{format}");
+    for (place, was) in again.places().iter().zip(map.places()) {
+        assert_eq!((&place.name, place.height_m), (&was.name, was.height_m), "{format}");
+        let off_m = glam::DVec2::from(place.at_m).distance(was.at_m.into());
+        assert!(off_m <= f64::from(WITHIN_M), "{format}: {} is {off_m} m off", place.name);
+    }
     for (index, wall) in map.walls().iter().enumerate() {
         let Some(material) = map.material_of_wall(index) else { continue };
         let at = again.to_local(map.to_file(wall.a.midpoint(wall.b)));

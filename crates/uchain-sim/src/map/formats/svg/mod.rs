@@ -41,7 +41,7 @@ uchain_core::params! {
     pub struct SvgConfig {
         /// Path of the drawing, from the folder of the scenario file (from the working folder for a compiled-in scenario).
         pub file: PathBuf;
-        /// The drawing's scale is one to this: with 100, a centimetre on paper is a metre. For want of it, of `unit_m` and of
+        /// The drawing's scale is one to this (1): with 100, a centimetre on paper is a metre. For want of it, of `unit_m` and of
         /// `width_m`, 100 is taken, and said. A px is a 96th of an inch.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[schemars(range(min = 0.001, max = 1_000_000.0))]
