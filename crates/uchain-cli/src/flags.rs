@@ -1,8 +1,13 @@
 //! Options that several commands share.
 
-use std::{io::Write as _, path::PathBuf};
+use std::{
+    io::Write as _,
+    path::{Path, PathBuf},
+};
 
 use clap::{Args, ValueHint};
+
+use uchain_sim::config::kind_of_map;
 
 use crate::{exit::Failure, output::Folder, print};
 
@@ -40,6 +45,22 @@ pub(crate) struct MapArgs {
     /// Survey station where the branch begins that is cut out of a cave (needs --to)
     #[arg(long, value_name = "STATION")]
     pub(crate) from: Option<String>,
+}
+
+impl MapArgs {
+    /// Refuses a cell's side for a map that has none, with what says its scale instead.
+    pub(crate) fn fits(&self, what: &str) -> Result<(), Failure> {
+        let Some((cell_m, kind)) = self.cell.zip(kind_of_map(Path::new(what))) else { return Ok(()) };
+        let instead = match kind {
+            "ros" | "movingai" => return Ok(()),
+            "svg" => "its scale is 1:N by --set map.svg.scale=N",
+            "dxf" => "its unit is said by --set map.dxf.unit_m=M",
+            _ => "its coordinates are metres, or say themselves what they are",
+        };
+        Err(Failure::Usage(format!(
+            "--cell {cell_m} is for pictures and grids; {what} is of another kind: {instead}"
+        )))
+    }
 }
 
 fn cell(text: &str) -> Result<f64, String> {

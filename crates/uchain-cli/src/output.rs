@@ -3,6 +3,7 @@
 
 pub(crate) mod file;
 mod folder_name;
+mod inputs;
 pub(crate) mod papers;
 
 use std::{
@@ -20,6 +21,7 @@ use uchain_sim::{
 use crate::exit::Failure;
 
 pub(crate) use folder_name::folder_name;
+pub(crate) use inputs::inputs;
 
 /// What a command leaves in its folder.
 #[derive(Debug)]
@@ -160,18 +162,20 @@ impl Folder {
         Self::enter(path.to_owned())
     }
 
-    /// Refuses a folder in which results would take the place of what they are made of: a map or a log that lies there under a
-    /// name of ours.
-    pub(crate) fn spares(self, input: impl AsRef<Path>) -> Result<Self, Failure> {
-        let (Ok(file), Ok(folder)) = (fs::canonicalize(&input), fs::canonicalize(&self.path)) else {
-            return Ok(self);
+    /// Refuses a folder in which results would take the place of what they are made of: a map, its picture, the map of a
+    /// scenario or a log that lies there under a name of ours.
+    pub(crate) fn spares(self, inputs: &[PathBuf]) -> Result<Self, Failure> {
+        let Ok(folder) = fs::canonicalize(&self.path) else { return Ok(self) };
+        let is_in_the_way = |input: &&PathBuf| {
+            fs::canonicalize(input).is_ok_and(|file| {
+                let name = file.file_name().unwrap_or_default().to_string_lossy();
+                file.parent() == Some(&folder) && is_result(&name)
+            })
         };
-        let name = file.file_name().unwrap_or_default().to_string_lossy();
-        if file.parent() == Some(&folder) && is_result(&name) {
-            let (file, folder) = (input.as_ref().to_owned(), self.path.clone());
-            return Err(Failure::OwnInput { file, folder });
+        match inputs.iter().find(is_in_the_way) {
+            Some(file) => Err(Failure::OwnInput { file: file.clone(), folder: self.path.clone() }),
+            None => Ok(self),
         }
-        Ok(self)
     }
 
     /// Refuses a folder that holds another run than this recording's: its picture would stand beside that run's numbers.

@@ -14,7 +14,7 @@ use crate::{
     exit::{Failure, OURS},
     flags::Say,
     monitor::{Progress, interrupted, listen_for_interrupt},
-    output::{Folder, Names, RUN},
+    output::{Folder, Names, RUN, inputs},
 };
 
 pub(crate) use args::Run;
@@ -24,7 +24,7 @@ pub(crate) fn fly(registry: Registry, asked: &Run) -> Result<(), Failure> {
     let scene = registry.read(&source, &asked.sets.set)?;
     let flight = KeptFlight {
         seed: asked.seed,
-        folder: asked.folder()?.spares(&asked.scenario)?,
+        folder: asked.folder()?.spares(&inputs(&asked.scenario))?,
         is_recorded: asked.recording.wanted(),
         say: &asked.say,
     };

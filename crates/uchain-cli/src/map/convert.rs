@@ -3,16 +3,18 @@
 use std::path::{Path, PathBuf};
 
 use uchain_sim::{
-    config::{Source, kind_of_map},
     map::{
-        Map, ros_picture,
+        Map,
         write::{RosCells, write_csv, write_geojson, write_svg},
     },
     registry::Registry,
 };
 
 use super::{args::Convert, waiting::spinner};
-use crate::{exit::Failure, output::file};
+use crate::{
+    exit::Failure,
+    output::{file, inputs},
+};
 
 pub(super) fn convert(registry: Registry, asked: &Convert) -> Result<(), Failure> {
     let waiting = spinner(!asked.quiet.is_quiet(), "converting");
@@ -25,34 +27,6 @@ pub(super) fn convert(registry: Registry, asked: &Convert) -> Result<(), Failure
         let remarks = map.import().remarks.iter().map(|remark| remark.to_string() + "\n");
         remarks.collect::<String>() + &written.words
     })
-}
-
-/// The files that a map is read from.
-pub(super) fn inputs(what: &str) -> Vec<PathBuf> {
-    let path = PathBuf::from(what);
-    let mut inputs = of_map(&path);
-    if kind_of_map(&path).is_none()
-        && let Ok(source) = Source::find(what)
-        && let Ok(scenario) = source.text.parse::<toml::Table>()
-    {
-        // The map file of a scenario, whatever kind it is of.
-        let tables = scenario.get("map").and_then(toml::Value::as_table).into_iter().flatten();
-        let files = tables.filter_map(|(_, table)| table.get("file")?.as_str());
-        inputs.extend(files.flat_map(|file| of_map(&source.folder.join(file))));
-    }
-    inputs
-}
-
-/// A map file, and the picture that it names if it is a ROS map.
-fn of_map(path: &Path) -> Vec<PathBuf> {
-    let mut files = vec![path.to_owned()];
-    if kind_of_map(path) == Some("ros")
-        && let Ok(yaml) = std::fs::read(path)
-        && let Ok(picture) = ros_picture(path, &yaml)
-    {
-        files.push(path.parent().unwrap_or(Path::new("")).join(picture));
-    }
-    files
 }
 
 /// A map as files, in the order in which they are to appear.

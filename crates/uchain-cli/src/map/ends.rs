@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use serde::Serialize;
-use uchain_sim::map::{Map, NodeKind, TunnelGraph};
+use uchain_sim::map::{GraphEdge, Map, NodeKind, TunnelGraph};
 
 /// A base and a goal.
 #[expect(clippy::struct_field_names, reason = "the unit is in every name")]
@@ -42,8 +42,29 @@ impl Ends {
         }
         let (base, _) = farthest(graph, &of_part, places[0], &places)?;
         let (goal, way_m) = farthest(graph, &of_part, base, &places)?;
-        Some(Self { base_m: place(graph.nodes[base].at), goal_m: place(graph.nodes[goal].at), way_m })
+        let [base, goal] = [base, goal].map(|node| {
+            let at = with_room(graph, &of_part, node, needs_m).map(|(edge, index)| edge.line[index]);
+            place(at.unwrap_or(graph.nodes[node].at))
+        });
+        Some(Self { base_m: base, goal_m: goal, way_m })
     }
+}
+
+/// The place nearest to the end of a passage, along it, that something so wide fits at.
+fn with_room<'g>(
+    graph: &'g TunnelGraph,
+    edges: &[usize],
+    node: usize,
+    needs_m: f64,
+) -> Option<(&'g GraphEdge, usize)> {
+    let edge = edges.iter().map(|&edge| &graph.edges[edge]).find(|edge| edge.ends.contains(&node))?;
+    let has_room = |index: &usize| 2.0 * f64::from(edge.clearance_m[*index]) >= needs_m;
+    let found = if edge.ends[0] == node {
+        (0..edge.line.len()).find(has_room)
+    } else {
+        (0..edge.line.len()).rev().find(has_room)
+    };
+    found.map(|index| (edge, index))
 }
 
 /// The nodes that hang together by these edges, of the part that is longest in all.

@@ -109,7 +109,9 @@ impl<'a> Told<'a> {
             text += &passages(numbers);
         }
         if !self.places.is_empty() {
-            let names = names(self.places.iter().map(|place| place.name.as_str()));
+            let words =
+                self.places.iter().map(|Place { name, at_m: [x, y], .. }| format!("{name} ({x:.2}, {y:.2})"));
+            let names = names(words);
             let _ = writeln!(text, "places     {}: {names}", self.places.len());
         }
         if !self.materials.is_empty() {
@@ -178,8 +180,8 @@ fn passages(numbers: &MapNumbers) -> String {
 }
 
 /// The first of the names.
-fn names<'a>(mut names: impl Iterator<Item = &'a str>) -> String {
-    let first: Vec<&str> = names.by_ref().take(NAMED).collect();
+fn names(mut names: impl Iterator<Item = String>) -> String {
+    let first: Vec<String> = names.by_ref().take(NAMED).collect();
     let more = if names.next().is_some() { ", …" } else { "" };
     first.join(", ") + more
 }

@@ -29,8 +29,9 @@ pub(crate) fn map(registry: Registry, asked: &Map) -> Result<(), Failure> {
 
 /// The map that is asked for.
 fn read(registry: Registry, asked: &args::Read) -> Result<Arc<Walls>, Failure> {
+    asked.map.fits(&asked.what)?;
     let station = |key: &str, option: &str, name: &str| Typed {
-        assignment: format!("map.{key}={name}"),
+        assignment: format!("map.{key}={}", toml::Value::String(name.to_owned())),
         typed: format!("--{option} {name}"),
     };
     let cell = asked.map.cell.map(|cell_m| Typed {

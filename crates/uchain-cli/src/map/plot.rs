@@ -9,10 +9,10 @@ use uchain_sim::{
     world::MotionParams,
 };
 
-use super::{args::Plot, convert::inputs, waiting::spinner};
+use super::{args::Plot, waiting::spinner};
 use crate::{
     exit::Failure,
-    output::{file, folder_name},
+    output::{file, folder_name, inputs},
 };
 
 pub(super) fn plot(registry: Registry, asked: &Plot) -> Result<(), Failure> {

@@ -33,7 +33,7 @@ pub(crate) fn node(asked: &Node) -> Result<(), Failure> {
     let (summary, notes) = (replay.summary(), replay.notes());
     let numbers = Numbers { log: &label, summary, notes, version: OURS };
     let json = serde_json::to_string_pretty(&numbers)? + "\n";
-    let folder = asked.folder(&label)?.spares(log)?;
+    let folder = asked.folder(&label)?.spares(std::slice::from_ref(log))?;
     folder.write(&NODE, json.as_bytes(), &picture, &[csv.as_bytes()])?;
     if asked.csv {
         print(&csv)

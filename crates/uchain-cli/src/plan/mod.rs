@@ -25,6 +25,7 @@ use args::To;
 pub(crate) fn compute(registry: Registry, asked: &Plan) -> Result<(), Failure> {
     let spinner = spinner(asked.say.progress());
     listen_for_interrupt();
+    asked.map.fits(&asked.what)?;
     let what = PlanFor::find(&asked.what)?;
     let (to_m, to_station) = match &asked.to {
         Some(To::Depth(to_m)) => (Some(*to_m), None),
@@ -51,7 +52,7 @@ pub(crate) fn compute(registry: Registry, asked: &Plan) -> Result<(), Failure> {
         typed,
     })?;
     let folder = asked.out.folder(|| Folder::ours("plans", &output::folder_name(&asked.what), ""))?;
-    let folder = folder.spares(&asked.what)?;
+    let folder = folder.spares(&output::inputs(&asked.what))?;
     let course = &*made_for.course;
     let deepest_m = to_m.or_else(|| course.tunnel.as_ref().map(Tunnel::length_m));
     let steps = PlanSteps::new(deepest_m.unwrap_or(1.0), asked.step);
@@ -73,7 +74,7 @@ pub(crate) fn compute(registry: Registry, asked: &Plan) -> Result<(), Failure> {
     let table = PlanTable::new(&plan, &steps);
     let picture = plan_png(course, &plan, &table.answer())?;
     let json = serde_json::to_string_pretty(&plan)? + "\n";
-    let (csv, geojson) = (places_csv(&plan), places_geojson(&plan));
+    let (csv, geojson) = (places_csv(&plan), places_geojson(&plan, &made_for.course.map));
     let mut others = vec![csv.into_bytes(), geojson.into_bytes()];
     let names = match &everywhere {
         Some(everywhere) => {

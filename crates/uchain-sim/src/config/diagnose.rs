@@ -99,7 +99,9 @@ pub enum ConfigError {
         choices: Box<Choices>,
     },
     /// A file that is neither a map nor a scenario.
-    #[error("{label}: neither a scenario in TOML nor a map that is read here; maps may be {known}")]
+    #[error(
+        "{label}: neither a scenario in TOML nor a map that is read here; maps may be {known}; save other pictures as PNG"
+    )]
     NotAMap {
         /// The file.
         label: String,

@@ -68,7 +68,7 @@ pub struct Material {
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Outside {
-    /// Rock, if walls enclose half or more of the box around the drawing; else free.
+    /// Rock, if three tenths or more of the faces of all walls look into what walls enclose; else free.
     #[default]
     Auto,
     /// Rock: free is what walls enclose.
@@ -100,9 +100,19 @@ impl Import {
     /// Adds a remark, unless it is about nothing.
     pub fn say(&mut self, kind: RemarkKind, count: usize, what: impl Into<String>) {
         if count > 0 {
-            self.remarks.push(Remark { kind, count, what: what.into() });
+            self.remarks.push(Remark { kind, count, what: printable(&what.into()) });
         }
     }
+}
+
+/// A name out of somebody's file as a terminal may show it: what would move its cursor, or turn the direction of what
+/// follows, is a question mark.
+pub(super) fn printable(name: &str) -> String {
+    let moves = |c: char| {
+        c.is_control()
+            || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    name.chars().map(|c| if moves(c) { '?' } else { c }).collect()
 }
 
 impl fmt::Display for RemarkKind {

@@ -13,8 +13,9 @@ use crate::map::{Import, MapError, RemarkKind};
 const THINNEST_M: f64 = 0.01;
 /// Smallest angle between two pieces of a wall whose corner is drawn out to a point (rad): about 29 degrees.
 const SHARPEST_RAD: f64 = 0.5;
-/// Share of the box around a drawing that walls enclose, from which on the rest is taken for rock.
-const ENCLOSED: f64 = 0.5;
+/// Share of the faces of all walls that look into enclosed areas, from which on the rest is taken for rock. A closed line has
+/// half of its faces inside; where the outer wall is open, next to none are.
+const ENCLOSED: f64 = 0.3;
 
 /// The area of a wall along a line.
 pub(super) fn thick(line: &LineString, thickness_m: f64) -> MultiPolygon {
@@ -45,6 +46,12 @@ pub(super) fn free(
     Err(MapError::Count { what, got: 0, least: 1, most: super::MOST_CORNERS })
 }
 
+/// Length of all walls of some areas (m).
+fn faces_m(areas: &MultiPolygon) -> f64 {
+    let rings = areas.iter().flat_map(|area| std::iter::once(area.exterior()).chain(area.interiors()));
+    rings.flat_map(LineString::lines).map(|line| libm::hypot(line.dx(), line.dy())).sum()
+}
+
 /// What is free where only rock is drawn.
 fn beside(rock: &MultiPolygon, outside: Outside, import: &mut Import) -> MultiPolygon {
     let Some(around) = rock.bounding_rect() else { return MultiPolygon::new(Vec::new()) };
@@ -52,7 +59,7 @@ fn beside(rock: &MultiPolygon, outside: Outside, import: &mut Import) -> MultiPo
     // Rock may stand in a hole of other rock.
     let holes: Vec<Polygon> = holes.collect();
     let enclosed = unary_union(&holes).difference(rock);
-    let share = enclosed.unsigned_area() / around.unsigned_area();
+    let share = faces_m(&enclosed) / faces_m(rock);
     let is_rock = match outside {
         Outside::Rock => true,
         Outside::Free => false,
@@ -64,7 +71,7 @@ fn beside(rock: &MultiPolygon, outside: Outside, import: &mut Import) -> MultiPo
         import.say(
             RemarkKind::Guessed,
             1,
-            format!("outside: walls enclose {percent} % of the drawing, so what lies beyond them is {what}"),
+            format!("outside: {percent} % of all faces of walls look into what they enclose, so what lies beyond is {what} (key outside)"),
         );
     }
     if is_rock { enclosed } else { MultiPolygon::new(vec![around.to_polygon()]).difference(rock) }

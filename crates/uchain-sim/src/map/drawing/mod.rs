@@ -11,7 +11,7 @@ mod tests;
 use geo::{Coord, LineString, Orient, Polygon, orient::Direction};
 use glam::DVec2;
 
-use super::{Import, Map, MapError, Material, Outside, Place, RemarkKind};
+use super::{Import, Map, MapError, Material, Outside, Place, RemarkKind, import::printable};
 
 /// Most corners of a drawing.
 pub(crate) const MOST_CORNERS: usize = 1_000_000;
@@ -63,9 +63,10 @@ pub(crate) struct Drawing {
 impl Drawing {
     /// The number of a material, a new one if nobody has named it before.
     pub(crate) fn material(&mut self, name: &str, loss_db: Option<f32>) -> usize {
+        let name = printable(name);
         let known = self.materials.iter().position(|known| known.name == name && known.loss_db == loss_db);
         known.unwrap_or_else(|| {
-            self.materials.push(Material { name: name.to_owned(), loss_db });
+            self.materials.push(Material { name, loss_db });
             self.materials.len() - 1
         })
     }
@@ -105,6 +106,9 @@ impl Drawing {
             map.made_of = made_of::made_of(&map, &solids);
         }
         map.materials = self.materials;
+        for place in &mut self.places {
+            place.name = printable(&place.name);
+        }
         map.places = self.places;
         map.import = self.import;
         Ok(map)

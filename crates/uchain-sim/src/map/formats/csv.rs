@@ -11,16 +11,12 @@
 //! A row per corner, loop by loop; loops are numbered from 0, the last corner of a loop joins its first. Loop 0 surrounds
 //! the free space, the others are solid pieces that stand in it.
 
-use std::{
-    fs::File,
-    io::Read as _,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 use super::{FRAME_MAX_M, Fault, Format, MapFormat, drawn};
-use crate::map::{CentreLine, MOST_WALLS, Map, MapError};
+use crate::map::{CentreLine, MOST_WALLS, Map, MapError, raster::read};
 
 /// Most bytes of a file: 64 for each of the most walls.
 const MOST_BYTES: u64 = 64 * MOST_WALLS as u64;
@@ -54,16 +50,9 @@ impl MapFormat for CsvConfig {
     fn lay(&self, folder: &Path, _: [f64; 2]) -> Result<(Map, Option<CentreLine>), MapError> {
         let file = folder.join(&self.file);
         let wrong = |why: String| MapError::Read { file: file.clone(), why };
-        let loops = read(&file).and_then(|bytes| parse(&bytes)).map_err(wrong)?;
+        let loops = read(&file, MOST_BYTES).and_then(|bytes| parse(&bytes)).map_err(wrong)?;
         drawn(&loops).map(|map| (map, None))
     }
-}
-
-fn read(file: &Path) -> Result<Vec<u8>, String> {
-    let mut bytes = Vec::new();
-    let file = File::open(file).map_err(|error| error.to_string())?;
-    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
-    if bytes.len() as u64 > MOST_BYTES { Err(format!("more than {MOST_BYTES} bytes")) } else { Ok(bytes) }
 }
 
 /// The loops, or what is wrong with which line.

@@ -37,6 +37,7 @@ pub(in crate::map) struct Cells {
     cols: usize,
     rows: usize,
     /// Cells of unknown state.
+    #[cfg(feature = "maps")]
     unknown: usize,
     free: Vec<bool>,
 }
@@ -44,7 +45,13 @@ pub(in crate::map) struct Cells {
 impl Cells {
     /// `free` holds rows of `cols` cells, from the lowest row up.
     pub(in crate::map) fn new(cols: usize, free: Vec<bool>) -> Self {
-        Self { cols, rows: free.len().checked_div(cols).unwrap_or(0), unknown: 0, free }
+        Self {
+            cols,
+            rows: free.len().checked_div(cols).unwrap_or(0),
+            #[cfg(feature = "maps")]
+            unknown: 0,
+            free,
+        }
     }
 
     #[cfg(feature = "maps")]
@@ -73,6 +80,7 @@ impl Cells {
     }
 
     /// How many cells are of unknown state.
+    #[cfg(feature = "maps")]
     pub(in crate::map) fn unknown(&self) -> usize {
         self.unknown
     }

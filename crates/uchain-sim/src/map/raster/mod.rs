@@ -10,8 +10,11 @@ mod tests;
 #[cfg(feature = "maps")]
 pub(super) mod words;
 
-#[cfg(feature = "maps")]
-use std::{fs::File, io::Read as _, path::Path};
+use std::{
+    fs::{self, File},
+    io::Read as _,
+    path::Path,
+};
 
 use glam::DVec2;
 
@@ -54,10 +57,13 @@ pub(super) fn loops_to_map(
     Ok(map)
 }
 
-/// A whole file of at most `most` bytes.
-#[cfg(feature = "maps")]
+/// A whole file of at most `most` bytes. What is no plain file is not opened: a pipe may never begin.
 pub(super) fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
+    let about = fs::metadata(path).map_err(|error| error.to_string())?;
+    if !about.is_file() {
+        return Err("not a file; expected a map".to_owned());
+    }
     let file = File::open(path).map_err(|error| error.to_string())?;
     file.take(most + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
     if bytes.len() as u64 > most { Err(format!("more than {most} bytes")) } else { Ok(bytes) }

@@ -81,7 +81,7 @@ pub struct GraphEdge {
     pub clearance_m: Vec<f32>,
     /// Length of the line (m).
     pub length_m: f64,
-    /// Least width along the line (m).
+    /// Least width along the line (m), without the tip of a dead end: the part within the first circle that lies clear of it.
     pub narrowest_m: f32,
 }
 
@@ -91,6 +91,28 @@ impl GraphEdge {
         let length_m = line.windows(2).map(|pair| f64::from(pair[0].distance(pair[1]))).sum();
         let narrowest_m = 2.0 * clearance_m.iter().copied().fold(f32::INFINITY, f32::min);
         Self { ends, line, clearance_m, length_m, narrowest_m }
+    }
+
+    /// Least width without the tips that are dead ends: a corner may be narrow into which nobody has to fly.
+    fn narrowest_without(&self, is_tip: [bool; 2]) -> f32 {
+        let is_near = |tip: Option<&Vec2>, (at, clearance_m): (&Vec2, &f32)| {
+            tip.is_some_and(|tip| tip.distance(*at) < *clearance_m)
+        };
+        let places = || self.line.iter().zip(&self.clearance_m);
+        let first = if is_tip[0] {
+            places().take_while(|&place| is_near(self.line.first(), place)).count()
+        } else {
+            0
+        };
+        let last = if is_tip[1] {
+            places().rev().take_while(|&place| is_near(self.line.last(), place)).count()
+        } else {
+            0
+        };
+        let inner =
+            self.clearance_m.get(first..self.clearance_m.len().saturating_sub(last)).unwrap_or_default();
+        let least_m = inner.iter().copied().reduce(f32::min);
+        2.0 * least_m.unwrap_or_else(|| self.clearance_m.iter().copied().fold(0.0, f32::max))
     }
 }
 
@@ -141,6 +163,10 @@ impl Map {
                 [_, _] => NodeKind::Ring,
                 _ => NodeKind::Junction,
             };
+        }
+        for edge in &mut graph.edges {
+            let is_tip = edge.ends.map(|end| graph.nodes[end].kind == NodeKind::DeadEnd);
+            edge.narrowest_m = edge.narrowest_without(is_tip);
         }
         Ok(graph)
     }

@@ -9,8 +9,7 @@
 
 use std::{
     collections::BTreeMap,
-    fmt,
-    fs::File,
+    fmt, fs,
     path::{Path, PathBuf},
 };
 
@@ -57,7 +56,7 @@ pub fn read_ros(
     let end = yaml.extension().unwrap_or_default();
     let is_called_so = PICTURES.iter().any(|picture| end.eq_ignore_ascii_case(picture));
     let mut meta = if is_called_so || beginning(yaml).is_some_and(|bytes| is_picture(&bytes)) {
-        let cell_m = match (cell_m, File::open(yaml)) {
+        let cell_m = match (cell_m, fs::metadata(yaml)) {
             (Some(cell_m), _) => cell_m,
             (None, Ok(_)) => return Err(MapError::NoScale { file: yaml.to_owned() }),
             (None, Err(error)) => {

@@ -68,13 +68,13 @@ fn times(plan: &Plan, last: &PlanRow, sentence: &mut String) {
     let Some(batteries) = plan.batteries.as_ref().filter(|_| !too_long(plan, last)) else {
         let _ = write!(sentence, "; a battery lasts {endurance_min:.1} min: too long");
         if let Some(batteries) = &plan.batteries {
+            short(batteries, sentence);
             home(batteries, sentence);
         }
         return;
     };
     let (home_min, usable_min) = (batteries.home_min, batteries.usable_min);
-    let mut short = batteries.short();
-    let Some(first) = short.next() else {
+    if batteries.all_home {
         let _ =
             write!(sentence, "; all are home after {home_min:.1} min; a battery lasts {usable_min:.1} min");
         if usable_min < endurance_min {
@@ -82,7 +82,16 @@ fn times(plan: &Plan, last: &PlanRow, sentence: &mut String) {
         }
         sentence.push_str(": long enough");
         return;
-    };
+    }
+    short(batteries, sentence);
+    home(batteries, sentence);
+}
+
+/// Who is short of battery, and by how much.
+fn short(batteries: &Batteries, sentence: &mut String) {
+    let usable_min = batteries.usable_min;
+    let mut short = batteries.short();
+    let Some(first) = short.next() else { return };
     let _ = write!(
         sentence,
         "; {} is short of battery by {:.1} min: it has flown {:.1} of {usable_min:.1} min when it is home",
@@ -99,7 +108,6 @@ fn times(plan: &Plan, last: &PlanRow, sentence: &mut String) {
         }
         _ => {}
     }
-    home(batteries, sentence);
 }
 
 /// From how deep all come home.

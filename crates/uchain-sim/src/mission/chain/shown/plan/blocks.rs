@@ -42,7 +42,8 @@ pub(super) fn assumptions(plan: &Plan) -> String {
         let _ = write!(words, ", antennas that lose up to {} dB", radio.antenna_db);
     }
     line("radio", &format!("{words}; noise of {} dB left out", radio.sigma_db));
-    line("limit", &format!("{} dB on every link (takeoff.s_min_db)", assumed.s_min_db));
+    let whose = if plan.budget.is_some() { "" } else { "; a radio of your own: --budget" };
+    line("limit", &format!("{} dB on every link (takeoff.s_min_db){whose}", assumed.s_min_db));
     let head = &assumed.head;
     let stay = match head.stay_s {
         stay_s if stay_s > 0.0 => format!("stays {:.1} min, then ", stay_s / 60.0),
@@ -80,11 +81,11 @@ pub(super) fn places(plan: &Plan) -> String {
         return String::new();
     };
     let mut text = format!("\nplaces with the head {goal_m:.2} m deep, in the map's own frame\n");
-    text += "  relay      x (m)      y (m)  depth (m)  to base (dB)  to head (dB)  margin (dB)  takes off (min)  flies (min)\n";
+    text += "  relay      x (m)      y (m)  depth (m)  to base (dB)  to head (dB)  margin (dB)  takes off (min)  in the air (min)  battery left (min)\n";
     let shown = |place: &Place, text: &mut String| {
         let _ = writeln!(
             text,
-            "  {:>5}  {:>9.2}  {:>9.2}  {:>9.2}  {:>12.1}  {:>12.1}  {:>11.1}  {:>15}  {:>11}",
+            "  {:>5}  {:>9.2}  {:>9.2}  {:>9.2}  {:>12.1}  {:>12.1}  {:>11.1}  {:>15}  {:>16}  {:>18}",
             place.relay,
             place.x_m,
             place.y_m,
@@ -94,6 +95,7 @@ pub(super) fn places(plan: &Plan) -> String {
             place.margin_db,
             decimal(place.launch_min),
             decimal(place.airborne_min),
+            decimal(place.spare_min),
         );
     };
     let count = plan.places.len();

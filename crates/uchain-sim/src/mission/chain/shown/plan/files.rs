@@ -32,11 +32,24 @@ pub fn places_csv(plan: &Plan) -> String {
     text
 }
 
-/// Base, relays, goal and the links between them as `GeoJSON` (`places.geojson`), in metres of the map file's own frame.
-pub fn places_geojson(plan: &Plan) -> String {
-    let map = &plan.assumptions.map;
+/// Base, relays, goal and the links between them as `GeoJSON` (`places.geojson`): longitude and latitude where the map's file
+/// says where on Earth it lies, else metres of the file's own frame.
+pub fn places_geojson(plan: &Plan, map: &Map) -> String {
+    let base_m = plan.assumptions.map.base_m;
+    let place = |at_m: [f64; 2]| map.import().to_degrees(at_m).unwrap_or(at_m);
+    let is_in_degrees = map.import().about_deg.is_some();
+    // A tenth of a millimetre, and a millimetre of a degree.
+    let decimals = if is_in_degrees { 8 } else { 4 };
+    let shown = |at_m: [f64; 2]| {
+        let [x, y] = place(at_m);
+        format!("[{x:.decimals$}, {y:.decimals$}]")
+    };
+    let point = |at_m: [f64; 2], properties: &str| point(&shown(at_m), properties);
+    let link = |from_m: [f64; 2], to_m: [f64; 2], loss_db, s_min_db| {
+        link(&shown(from_m), &shown(to_m), loss_db, s_min_db)
+    };
     let head = plan.head_m;
-    let mut features = vec![point(map.base_m, "\"kind\": \"base\", \"depth_m\": 0")];
+    let mut features = vec![point(base_m, "\"kind\": \"base\", \"depth_m\": 0")];
     let relay = |place: &Place| {
         let properties = format!(
             "\"kind\": \"relay\", \"relay\": {}, \"depth_m\": {:.4}, \"margin_db\": {:.3}",
@@ -56,9 +69,10 @@ pub fn places_geojson(plan: &Plan) -> String {
         front = Some([place.x_m, place.y_m]);
     }
     if let Some((front_m, last)) = front.zip(plan.places.last()) {
-        features.push(link(front_m, map.base_m, last.link_db, plan.s_min_db));
+        features.push(link(front_m, base_m, last.link_db, plan.s_min_db));
     }
-    format!("{{\"type\": \"FeatureCollection\", \"features\": [\n{}\n]}}\n", features.join(",\n"))
+    let units = if is_in_degrees { "" } else { "\"units\": \"m\", " };
+    format!("{{\"type\": \"FeatureCollection\", {units}\"features\": [\n{}\n]}}\n", features.join(",\n"))
 }
 
 /// A row per cell that can be reached (`everywhere.csv`): its middle in the map file's own frame, how far it is from the base,
@@ -74,12 +88,11 @@ pub fn everywhere_csv(map: &Map, everywhere: &Everywhere) -> String {
     text
 }
 
-fn point([x_m, y_m]: [f64; 2], properties: &str) -> String {
-    feature(&format!("{{\"type\": \"Point\", \"coordinates\": [{x_m:.4}, {y_m:.4}]}}"), properties)
+fn point(at: &str, properties: &str) -> String {
+    feature(&format!("{{\"type\": \"Point\", \"coordinates\": {at}}}"), properties)
 }
 
-fn link(from_m: [f64; 2], to_m: [f64; 2], loss_db: f64, s_min_db: f64) -> String {
-    let [from, to] = [from_m, to_m].map(|[x_m, y_m]| format!("[{x_m:.4}, {y_m:.4}]"));
+fn link(from: &str, to: &str, loss_db: f64, s_min_db: f64) -> String {
     let geometry = format!("{{\"type\": \"LineString\", \"coordinates\": [{from}, {to}]}}");
     let margin_db = s_min_db - loss_db;
     feature(

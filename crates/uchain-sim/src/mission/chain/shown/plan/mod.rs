@@ -86,7 +86,7 @@ impl<'a> PlanTable<'a> {
         let mut text =
             format!("{}: links of at most {} dB{speed}\n\n", plan.scenario, rounded(plan.s_min_db));
         text += &blocks::assumptions(plan);
-        text += "\n  depth  relays  worst link  one fewer  head there  relay 1 flies  all home\n";
+        text += "\n  depth  relays  worst link  one fewer  head there  relay 1 is up  all home\n";
         text += "    (m)  needed        (dB)       (dB)       (min)          (min)     (min)\n";
         for row in &self.shown {
             let one_fewer = row.relays_needed.and_then(|relays| relays.checked_sub(1));
