@@ -2,6 +2,7 @@
 //! which may cross and lie over one another. The readers of drawings make a [`Drawing`] and know no more of geometry.
 
 mod apart;
+mod crossings;
 mod free;
 mod made_of;
 pub(in crate::map) mod reading;
@@ -77,6 +78,7 @@ impl Drawing {
     /// Nothing is drawn, or too much; a coordinate that is not a number, or too far out; no free space is left.
     pub(crate) fn into_map(mut self) -> Result<Map, MapError> {
         let middle = self.middle()?;
+        crossings::few(self.lines(), middle)?;
         let local = Local { middle };
         let solids: Vec<(Polygon, Option<usize>)> = self
             .solids
@@ -114,6 +116,14 @@ impl Drawing {
         Ok(map)
     }
 
+    /// All lines of it, and whether each is closed.
+    fn lines(&self) -> impl Iterator<Item = (&[[f64; 2]], bool)> {
+        let shapes = self.free.iter().chain(self.solids.iter().map(|solid| &solid.shape));
+        let of_shapes = shapes.flat_map(|shape| std::iter::once(&shape.outline).chain(&shape.holes));
+        let of_shapes = of_shapes.map(|line| (&line[..], true));
+        of_shapes.chain(self.walls.iter().map(|wall| (&wall.line[..], wall.closed)))
+    }
+
     /// The middle of all corners (m).
     fn middle(&self) -> Result<DVec2, MapError> {
         let rings = |shape: &Shape| shape.holes.iter().map(Vec::len).sum::<usize>() + shape.outline.len();
@@ -124,11 +134,8 @@ impl Drawing {
             let what = "corners of all that is drawn";
             return Err(MapError::Count { what, got: corners, least: 1, most: MOST_CORNERS });
         }
-        let shapes = self.free.iter().chain(self.solids.iter().map(|solid| &solid.shape));
-        let of_shapes = shapes.flat_map(|shape| std::iter::once(&shape.outline).chain(&shape.holes));
-        let lines = of_shapes.chain(self.walls.iter().map(|wall| &wall.line));
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        for (index, &[x, y]) in lines.flat_map(|line| line.iter().enumerate()) {
+        for (index, &[x, y]) in self.lines().flat_map(|(line, _)| line.iter().enumerate()) {
             if !(x.abs() <= FARTHEST_M && y.abs() <= FARTHEST_M) {
                 return Err(MapError::Coordinate { index, x, y, most: FARTHEST_M });
             }

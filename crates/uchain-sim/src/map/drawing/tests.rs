@@ -110,6 +110,32 @@ fn a_wall_knows_what_it_is_made_of() {
 }
 
 #[test]
+fn lines_that_all_cross_each_other_are_refused_before_they_are_joined() {
+    let star = |lines: u32| {
+        let line = |i: u32| {
+            let angle_rad = std::f64::consts::PI * f64::from(i) / f64::from(lines);
+            let at = [100.0 * libm::cos(angle_rad), 100.0 * libm::sin(angle_rad)];
+            wall(&[at, [-at[0], -at[1]]], 0.01)
+        };
+        Drawing { walls: (0..lines).map(line).collect(), outside: Outside::Free, ..Drawing::default() }
+            .into_map()
+    };
+    let words = star(600).unwrap_err().to_string();
+    assert!(words.starts_with("places where lines of the drawing cross: "), "{words}");
+    assert!(star(12).is_ok(), "the control");
+    // A single wall that crosses itself, before it is made thick.
+    let mut draw = 1_u64;
+    let mut next = || {
+        draw = draw.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (draw >> 40) as f64 / 1e4
+    };
+    let line: Vec<[f64; 2]> = (0..2000).map(|_| [next(), next()]).collect();
+    let scribble = Drawing { walls: vec![wall(&line, 0.1)], ..Drawing::default() };
+    let words = scribble.into_map().unwrap_err().to_string();
+    assert!(words.starts_with("places where lines of the drawing cross: "), "{words}");
+}
+
+#[test]
 fn what_cannot_be_a_map_is_refused_in_words() {
     let words = |drawing: Drawing| drawing.into_map().unwrap_err().to_string();
     assert!(words(Drawing::default()).starts_with("corners of all that is drawn: 0"));

@@ -109,10 +109,8 @@ impl LinkBudget {
             ("link.relay_back_db", "a relay flies back", link.relay_back_db),
         ]
         .map(|(key, what, threshold_db)| (key, what, moved_db(threshold_db)));
-        // Nobody turns round at a loss over which nothing is heard.
-        let last_db = overrides.iter().map(|(_, _, loss_db)| *loss_db).fold(s_min_db, f64::max);
         let limit_db = if f64::from(packets.limit_db) > f64::from(takeoff.s_min_db) {
-            self.loss_at_sensitivity_db().max(last_db + 1.0)
+            self.loss_at_sensitivity_db()
         } else {
             moved_db(packets.limit_db)
         };

@@ -35,6 +35,7 @@ fn the_limit_is_power_and_gains_less_sensitivity_and_margin_and_the_thresholds_k
     assert_eq!(threshold(&of, "link.head_back_db"), (104.0, -100.0, -5.0));
     assert_eq!(threshold(&of, "link.relay_back_db"), (109.0, -105.0, -10.0));
     assert_eq!(of.reference_loss_db, 28.2);
+    assert_eq!(threshold(&of, "packets.limit_db"), (99.0, -95.0, 0.0), "a receiver hears no better for it");
     let deaf: Vec<&str> = of.deaf().map(|threshold| threshold.key).collect();
     assert_eq!(deaf, ["link.head_back_db", "link.relay_back_db"]);
 }
@@ -45,7 +46,7 @@ fn with_margin_enough_nobody_turns_round_later_than_the_receiver_hears() {
     assert_eq!(threshold(&of, "takeoff.s_min_db"), (65.0, -65.0, 20.0));
     assert_eq!(threshold(&of, "link.relay_back_db"), (85.0, -85.0, 0.0));
     assert_eq!(of.deaf().count(), 0);
-    assert_eq!(threshold(&of, "packets.limit_db").0, 86.0);
+    assert_eq!(threshold(&of, "packets.limit_db"), (85.0, -85.0, 0.0));
     let sets = of.sets();
     assert!(sets.contains(&"takeoff.s_min_db=65.0".to_owned()), "{sets:?}");
     assert!(sets.contains(&"radio.reference_loss_db=28.2".to_owned()), "{sets:?}");
