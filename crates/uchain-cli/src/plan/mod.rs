@@ -22,10 +22,29 @@ use crate::{
 pub(crate) use args::Plan;
 use args::To;
 
+/// Keys that a link budget works out.
+const BUDGETED: [&str; 6] = [
+    "takeoff.s_min_db",
+    "radio.reference_loss_db",
+    "link.head_stop_db",
+    "link.head_back_db",
+    "link.relay_back_db",
+    "packets.limit_db",
+];
+
 pub(crate) fn compute(registry: Registry, asked: &Plan) -> Result<(), Failure> {
     let spinner = spinner(asked.say.progress());
     listen_for_interrupt();
     asked.map.fits(&asked.what)?;
+    if asked.budget.is_some() {
+        let is_budgeted = |set: &&String| {
+            BUDGETED.iter().any(|key| set.split('=').next().is_some_and(|of| of.trim() == *key))
+        };
+        if let Some(set) = asked.sets.set.iter().find(is_budgeted) {
+            let words = format!("--set {set}: --budget works this out; leave one of the two away");
+            return Err(Failure::Usage(words));
+        }
+    }
     let what = PlanFor::find(&asked.what)?;
     let (to_m, to_station) = match &asked.to {
         Some(To::Depth(to_m)) => (Some(*to_m), None),

@@ -1,7 +1,7 @@
 //! Maps made from a seed: tunnels, caves, mazes, rooms and mines to try things on. The same wish gives the same walls, bit
 //! for bit.
 //!
-//! Two ways to make one: [`bore`] rounds passages out of rock around lines; [`lattice`] opens cells of a grid whose lines
+//! Two ways to make one: `bore` rounds passages out of rock around lines; `lattice` opens cells of a grid whose lines
 //! are walls. In both, the free space is one piece and no passage is narrower than the wish says.
 
 mod bore;
