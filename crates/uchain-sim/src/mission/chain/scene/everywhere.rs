@@ -17,6 +17,8 @@ const CELLS: f64 = 40_000.0;
 const CELLS_WHERE_COSTLY: f64 = 2_000.0;
 /// Most cells: along ragged walls more middles of cells may be free than the area has room for.
 const MOST_CELLS: usize = 200_000;
+/// How far a place may lie from the sample that it is reached from, as a share of the longest link.
+const STRAIGHT: f64 = 0.25;
 /// Spacing of the samples that relays stand on, as a share of the longest link, and its bounds (m).
 const SPACING: f64 = 1.0 / 60.0;
 const SPACING_M: (f64, f64) = (0.05, 0.25);
@@ -93,7 +95,7 @@ impl Course {
     /// How many relays every place needs that can be reached from the base. The relays of a place stand on the shortest way
     /// there along the middle of the passages ([`Map::tunnel_graph`](crate::map::Map::tunnel_graph)), anywhere on it, and
     /// every link loses `takeoff.s_min_db` at most, noise off. A place beside the middle is reached straight from the
-    /// nearest sample of the ways that sees it, or from its neighbour where none does.
+    /// nearest sample of the ways that sees it; on open ground, and where none sees it, from place to place.
     ///
     /// # Errors
     /// A map too large for the tunnel graph.
@@ -106,7 +108,7 @@ impl Course {
         let free_area_m2: f64 = self.map.free_areas_m2().iter().sum();
         let cells = if self.radio.is_costly() { CELLS_WHERE_COSTLY } else { CELLS };
         let cell_m = ((free_area_m2 / cells).sqrt() as f32).max(CELL_LEAST_M);
-        let ways = self.ways(&tree, cell_m);
+        let ways = self.ways(&tree, cell_m, STRAIGHT * reach_m);
         let antennas: Vec<Antenna> = (0..ways.at.len()).map(|index| ways.antenna(index)).collect();
         let loss_db = |from: usize, to: usize| f64::from(self.loss_db(&antennas[from], &antennas[to]));
         let links = fewest_links(&ways.at, &ways.parent, reach_m, s_min_db.into(), loss_db);
@@ -142,8 +144,9 @@ impl Course {
         far_m.into()
     }
 
-    /// The tree, and the cells that can be flooded from it, each joined to the nearest sample that it sees.
-    fn ways(&self, tree: &WayTree, cell_m: f32) -> Ways {
+    /// The tree, and the cells that can be flooded from it, each joined to the nearest sample that it sees. On open ground, where
+    /// that is farther than `straight_m`, cells go on from one another, in steps as long: relays have to stand in between.
+    fn ways(&self, tree: &WayTree, cell_m: f32, straight_m: f64) -> Ways {
         let mut ways = Ways {
             at: tree.at.clone(),
             parent: tree.parent.clone(),
@@ -171,8 +174,18 @@ impl Course {
             }
             // A wall may run between two neighbours: another one may still join the cell.
             let sample = near.seen_from(&self.map, at, 0.0).map(|sample| sample as u32);
+            let is_far =
+                |sample: u32, ways: &Ways| f64::from(ways.at[sample as usize].distance(at)) > straight_m;
+            let sample = sample.filter(|&sample| !is_far(sample, &ways));
             let sample = sample.or_else(|| self.map.sees(at, ways.at[from as usize]).then_some(from));
-            let Some(before) = sample else { continue };
+            let Some(mut before) = sample else { continue };
+            while let Some(earlier) = ways.parent[before as usize]
+                && before >= tree.at.len() as u32
+                && !is_far(earlier, &ways)
+                && self.map.sees(at, ways.at[earlier as usize])
+            {
+                before = earlier;
+            }
             seen.insert((cell.y, cell.x));
             let here = ways.at.len() as u32;
             let step_m = f64::from(ways.at[before as usize].distance(at));
@@ -202,6 +215,17 @@ impl Ways {
 mod tests {
     use super::*;
     use crate::{config::builtin, map::Map};
+
+    #[test]
+    fn the_whole_of_an_open_field_can_be_reached_with_relays_enough() {
+        let field =
+            ["map={ walls = { outer_m = [[0, 0], [40, 0], [40, 40], [0, 40]] } }", "chain.base_m=[10, 10]"];
+        let everywhere = course("straight", &field).relays_everywhere().unwrap();
+        let most = everywhere.relays_most().unwrap();
+        assert!(everywhere.share_within(most) > 0.99, "{}", everywhere.share_within(most));
+        // The farthest corner is 42.4 m away, and a link reaches 4.446 m: 9 relays, or a few more from cell to cell.
+        assert!((9..=13).contains(&most), "{most}");
+    }
 
     fn course(name: &str, sets: &[&str]) -> std::sync::Arc<Course> {
         let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
