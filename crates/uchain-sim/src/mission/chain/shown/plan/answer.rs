@@ -47,7 +47,7 @@ pub(in crate::mission::chain) fn answer(plan: &Plan) -> String {
                 write!(sentence, "; {} m can be done{one_way}", rounded(depth_m))
             }
             // Between the base and the first row; said already, from how deep all come home.
-            (None, _) if home_from_m.is_some() => Ok(()),
+            (None, _) if plan.uavs_needed.is_some() && home_from_m.is_some() => Ok(()),
             (None, first) => {
                 let first_m = first.map_or(0.0, |first| rounded(first.depth_m));
                 write!(sentence, "; not even {first_m} m can be done")
