@@ -15,7 +15,7 @@ const GRAPH: &str = "\n---\n";
 /// As [`svg`](crate::svg).
 pub fn survex(bytes: &[u8]) {
     let Ok(settings) = serde_json::from_str::<SurvexConfig>(r#"{"file": "a.3d"}"#) else { unreachable!() };
-    judge(survex_in_memory(bytes, &settings, Path::new("a.3d")));
+    judge(survex_in_memory(Path::new("a.3d"), bytes, &settings));
 }
 
 /// Bytes as a layout of SubT tiles, and after a line of dashes its graph.
