@@ -44,7 +44,7 @@ uchain_core::params! {
     pub struct DxfConfig {
         /// Path of the drawing, from the folder of the scenario file (from the working folder for a compiled-in scenario).
         pub file: PathBuf;
-        /// Metres of one unit of the drawing, instead of what its `$INSUNITS` says. A drawing that says nothing is taken to be in
+        /// Length of one unit of the drawing (m), instead of what its `$INSUNITS` says. A drawing that says nothing is taken to be in
         /// metres, or in millimetres if it is larger than 2,000 units.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[schemars(range(min = 0.000_001, max = 1_000_000.0))]

@@ -46,7 +46,7 @@ uchain_core::params! {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[schemars(range(min = 0.001, max = 1_000_000.0))]
         pub scale: Option<f64>;
-        /// Metres of one unit of the drawing, that of its `viewBox`, instead of `scale`.
+        /// Length of one unit of the drawing, that of its `viewBox` (m), instead of `scale`.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[schemars(range(min = 0.000_001, max = 1_000_000.0))]
         pub unit_m: Option<f64>;
