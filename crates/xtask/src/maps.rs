@@ -25,11 +25,11 @@ const SAID: [(&str, &[&str], &str); 3] = [
     ("DowProv.3d", &["--from", "dowcave.entrance", "--to", "dow1.12"], "the way to a station"),
 ];
 /// Longest that one command may take.
-const PATIENCE: Duration = Duration::from_secs(120);
+const PATIENCE: Duration = Duration::from_secs(12);
 /// Between two looks whether it has ended.
 const LOOK: Duration = Duration::from_millis(20);
 /// Flights per plan.
-const FLIGHTS: &str = "3";
+const FLIGHTS: &str = "1";
 /// The page.
 const PAGE: &str = "docs/map-table.md";
 
@@ -64,7 +64,7 @@ const HEAD: &str = "\
 # Maps of others
 
 Every map file that was at hand and that nobody wrote for this project: what `uchain map info` says of it, what `uchain plan` plans in
-it, and what became of the plan in the air (`--fly 3`: three seeds; the middle one is told). The files keep their own licences and are not in the
+it, and what became of the plan in the air (`--fly 1`: one seed; a command has 12 s). The files keep their own licences and are not in the
 project: MovingAI grids (Sturtevant 2012), ROS maps of f1tenth_simulator and of Willow Garage, the Dow cave (CPC, WRCPC,
 RRCPC) and the worlds of the DARPA Subterranean Challenge. `cargo xtask maps` makes this page again where they are.
 
