@@ -38,6 +38,7 @@ mod recording;
 mod sweep;
 mod teach;
 mod view;
+mod waiting;
 
 use std::{
     ffi::OsString,

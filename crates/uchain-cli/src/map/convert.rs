@@ -10,10 +10,11 @@ use uchain_sim::{
     registry::Registry,
 };
 
-use super::{args::Convert, waiting::spinner};
+use super::args::Convert;
 use crate::{
     exit::Failure,
     output::{file, inputs},
+    waiting::spinner,
 };
 
 pub(super) fn convert(registry: Registry, asked: &Convert) -> Result<(), Failure> {

@@ -14,9 +14,8 @@ use super::{
     ends::Ends,
     make::quoted,
     metres,
-    waiting::spinner,
 };
-use crate::exit::Failure;
+use crate::{exit::Failure, waiting::spinner};
 
 /// Places that are named for people; --json has all.
 const NAMED: usize = 12;
@@ -170,7 +169,7 @@ fn passages(numbers: &MapNumbers) -> String {
     let narrow = |length_m: f64| if length_m > 0.0 { metres(length_m) } else { "nothing".to_owned() };
     let _ = writeln!(
         text,
-        "too narrow {} for a UAV (below {:.2} m), {} for a star of the exploration (below {:.2} m)",
+        "too narrow {} of passage for a UAV (it needs {:.2} m), {} for a star of the exploration (it needs {:.2} m)",
         narrow(numbers.too_narrow_m),
         numbers.uav_needs_m,
         narrow(numbers.too_narrow_for_a_star_m),

@@ -2,8 +2,8 @@
 
 use uchain_sim::map::make::{Extent, Wish};
 
-use super::{args::Make, convert::Written, metres, waiting::spinner};
-use crate::exit::Failure;
+use super::{args::Make, convert::Written, metres};
+use crate::{exit::Failure, waiting::spinner};
 
 pub(super) fn make(asked: &Make) -> Result<(), Failure> {
     let waiting = spinner(!asked.quiet.is_quiet(), "making the map");

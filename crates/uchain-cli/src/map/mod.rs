@@ -6,7 +6,6 @@ mod ends;
 mod info;
 mod make;
 mod plot;
-mod waiting;
 
 use std::sync::Arc;
 

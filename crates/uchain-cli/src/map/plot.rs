@@ -9,10 +9,11 @@ use uchain_sim::{
     world::MotionParams,
 };
 
-use super::{args::Plot, waiting::spinner};
+use super::args::Plot;
 use crate::{
     exit::Failure,
     output::{file, folder_name, inputs},
+    waiting::spinner,
 };
 
 pub(super) fn plot(registry: Registry, asked: &Plot) -> Result<(), Failure> {

@@ -2,9 +2,7 @@
 
 mod args;
 
-use std::time::Duration;
-
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
+use indicatif::ProgressBar;
 use uchain_sim::{
     map::Tunnel,
     mission::chain::{
@@ -18,6 +16,7 @@ use crate::{
     exit::Failure,
     monitor::{interrupted, listen_for_interrupt},
     output::{self, Folder},
+    waiting::spinner,
 };
 pub(crate) use args::Plan;
 use args::To;
@@ -33,7 +32,7 @@ const BUDGETED: [&str; 6] = [
 ];
 
 pub(crate) fn compute(registry: Registry, asked: &Plan) -> Result<(), Failure> {
-    let spinner = spinner(asked.say.progress());
+    let spinner = spinner(asked.say.progress(), "planning");
     listen_for_interrupt();
     asked.map.fits(&asked.what)?;
     if asked.budget.is_some() {
@@ -132,20 +131,4 @@ fn typed(argument: PlanArgument<'_>) -> String {
         PlanArgument::To(name) => format!("--to={name}"),
         PlanArgument::Budget => "--budget".to_owned(),
     }
-}
-
-/// Turns on a terminal until the answer is there; large maps take seconds.
-fn spinner(show: bool) -> ProgressBar {
-    let target = if show { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-    let spinner = ProgressBar::with_draw_target(None, target)
-        .with_message("planning")
-        .with_finish(ProgressFinish::AndClear);
-    // The template is a constant; were it wrong, the default style would do.
-    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
-        spinner.set_style(style);
-    }
-    if show {
-        spinner.enable_steady_tick(Duration::from_millis(100));
-    }
-    spinner
 }

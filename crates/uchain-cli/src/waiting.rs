@@ -5,7 +5,7 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 
 /// Turns, with these words, until it is dropped.
-pub(super) fn spinner(show: bool, words: &'static str) -> ProgressBar {
+pub(crate) fn spinner(show: bool, words: &'static str) -> ProgressBar {
     let target = if show { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
     let spinner =
         ProgressBar::with_draw_target(None, target).with_message(words).with_finish(ProgressFinish::AndClear);
