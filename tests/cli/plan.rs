@@ -324,6 +324,22 @@ fn the_map_is_coloured_by_the_relays_that_each_place_needs() {
 }
 
 #[test]
+fn who_asks_for_everywhere_of_a_bare_map_need_not_say_a_goal() {
+    let here = folder();
+    let map = "type octile\nheight 4\nwidth 24\nmap\n@@@@@@@@@@@@@@@@@@@@@@@@\n@......................@\n\
+               @......................@\n@@@@@@@@@@@@@@@@@@@@@@@@\n";
+    fs::write(here.path().join("hall.map"), map).unwrap();
+    let args = ["plan", "hall.map", "--base=1.0,1.0", "--json"];
+    let plain = uchain(here.path(), &args);
+    assert_eq!(plain.status.code(), Some(2), "the control: a plan needs a goal");
+    let output = uchain(here.path(), &[&args[..], &["--everywhere"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let plan: Value = serde_json::from_str(stdout(&output)).unwrap();
+    let [x_m, tunnel_m] = [&plan["head_m"][0], &plan["tunnel_m"]].map(|value| value.as_f64().unwrap());
+    assert!(x_m > 10.5 && (9.5..10.8).contains(&tunnel_m), "{x_m} {tunnel_m}");
+}
+
+#[test]
 fn a_place_in_rock_is_answered_with_one_nearby_where_there_is_room() {
     let here = folder();
     let output = uchain(here.path(), &["plan", "corner", "--goal=0,2"]);

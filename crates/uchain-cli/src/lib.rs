@@ -83,10 +83,16 @@ pub fn code_with(registry: Registry, args: impl IntoIterator<Item = impl Into<Os
             let hint =
                 teach::hint(registry, &failure).map(|hint| format!("hint: {hint}\n")).unwrap_or_default();
             // Nobody is left to tell when stderr is gone.
-            let _ = io::stderr().write_all(format!("error: {failure}\n{hint}").as_bytes());
+            let _ = io::stderr().write_all(harmless(&format!("error: {failure}\n{hint}")).as_bytes());
             failure.exit().code()
         }
     }
+}
+
+/// A message as a terminal may show it: names of files may hold what would move its cursor or colour it.
+fn harmless(message: &str) -> String {
+    let moves = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
+    message.chars().map(|c| if moves(c) { '?' } else { c }).collect()
 }
 
 /// Runs the command that was parsed.

@@ -18,7 +18,7 @@ Examples:
   uchain plan basement.yaml --base=-50.15,34.03 --goal=-3,25.7 --speed 0.1 --stay 2
   uchain plan map.pgm --cell 0.1 --base=2,2 --goal=40.5,14.5   a picture, 0.1 m a pixel
   uchain plan corner --budget crazyflie --fly 2   a radio's data sheet, and two flights
-  uchain plan basement.yaml --base=-50.15,34.03 --goal=-3,25.7 --everywhere   where else could one go?
+  uchain plan basement.yaml --base=-50.15,34.03 --everywhere   where could one go?
 
 A bare map needs --base and --goal: X,Y in the map's own frame, or places that it names. --from and --to cut a
 branch out of a cave survey, with base and goal at its ends. What is assumed is said first; then relays against
@@ -63,7 +63,7 @@ pub(crate) struct Plan {
     pub(crate) reserve: Option<f64>,
     #[arg(long, value_name = "BUDGET", value_parser = LinkBudget::read, help = BUDGET)]
     pub(crate) budget: Option<LinkBudget>,
-    /// Work out the relays that every place of the map needs, too: everywhere.png and everywhere.csv
+    /// Work out the relays that every place of the map needs, too: everywhere.png and everywhere.csv; without --goal a bare map is planned to its farthest place
     #[arg(long)]
     pub(crate) everywhere: bool,
     /// Fly the plan with seeds 1 to N, and set flights beside plan
@@ -77,17 +77,18 @@ pub(crate) struct Plan {
     pub(crate) say: Say,
 }
 
-/// A depth, or a station of a survey: a number is a depth.
+/// A depth, or a station of a survey, whose name may be a number.
 #[derive(Debug, Clone)]
-pub(crate) enum To {
-    /// Depth (m).
-    Depth(f64),
+pub(crate) struct To {
+    /// Depth (m), if it is a number.
+    pub(crate) depth_m: Option<f64>,
     /// Name of a station.
-    Station(String),
+    pub(crate) station: String,
 }
 
 fn to(text: &str) -> Result<To, String> {
-    if text.parse::<f64>().is_ok() { length(text).map(To::Depth) } else { Ok(To::Station(text.to_owned())) }
+    let depth_m = text.parse::<f64>().is_ok().then(|| length(text)).transpose()?;
+    Ok(To { depth_m, station: text.to_owned() })
 }
 
 /// Two numbers are a place; what is not made of numbers is a name.

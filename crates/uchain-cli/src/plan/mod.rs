@@ -45,15 +45,16 @@ pub(crate) fn compute(registry: Registry, asked: &Plan) -> Result<(), Failure> {
         }
     }
     let what = PlanFor::find(&asked.what)?;
-    let (to_m, to_station) = match &asked.to {
-        Some(To::Depth(to_m)) => (Some(*to_m), None),
-        Some(To::Station(_)) if asked.map.from.is_none() => {
+    // With --from, --to is a station, even if its name is a number.
+    let (to_m, to_station) = match (&asked.to, &asked.map.from) {
+        (None, _) => (None, None),
+        (Some(to), Some(_)) => (None, Some(to.station.as_str())),
+        (Some(To { depth_m: Some(to_m), .. }), None) => (Some(*to_m), None),
+        (Some(_), None) => {
             let words =
                 "--to: a station ends a branch that begins at --from STATION; a depth is a number of metres";
             return Err(Failure::Usage(words.to_owned()));
         }
-        Some(To::Station(name)) => (None, Some(name.as_str())),
-        None => (None, None),
     };
     let made_for = registry.plan_course(&PlanRequest {
         what: &what,
@@ -66,6 +67,7 @@ pub(crate) fn compute(registry: Registry, asked: &Plan) -> Result<(), Failure> {
         cell_m: asked.map.cell,
         from: asked.map.from.as_deref(),
         to: to_station,
+        to_farthest: asked.everywhere,
         budget: asked.budget.as_ref(),
         typed,
     })?;

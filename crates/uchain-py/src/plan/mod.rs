@@ -224,7 +224,8 @@ fn not_flown(error: &PlanFlightError) -> PyErr {
 ///     What limit and reference loss are worked out from: "crazyflie", a TOML file, or a dict with `tx_dbm`, `tx_gain_dbi`,
 ///     `rx_gain_dbi`, `sensitivity_dbm`, `margin_db`, `frequency_mhz`.
 /// everywhere : bool
-///     Work out how much of the map is in reach with so many relays, too: `plan.summary["everywhere"]`.
+///     Work out how much of the map is in reach with so many relays, too: `plan.summary["everywhere"]`. Without `goal_m` a
+///     bare map is planned to the place that is farthest from its base.
 /// fly : int, optional
 ///     Fly the plan with seeds 1 to `fly` (at most 1000) and set flights beside plan: `plan.summary["flown"]`.
 ///
@@ -286,6 +287,7 @@ fn plan(
         cell_m: length("cell_m", cell_m)?,
         from: from_station,
         to: to_station,
+        to_farthest: everywhere,
         budget: budget.as_ref(),
         typed,
     };

@@ -37,6 +37,12 @@ impl Map {
         self.rock_side(p).unwrap_or(false)
     }
 
+    /// Whether rock begins right behind a wall's face and goes on by `across`: what lies beyond a narrow cleft is another
+    /// wall's rock.
+    pub(super) fn is_rock_behind(&self, face: DVec2, across: DVec2) -> bool {
+        [0.125, 0.25, 0.5, 0.75, 1.0].into_iter().all(|share| self.in_rock_f64(face + share * across))
+    }
+
     /// The share of the segment `a b` that is inside rock, 0 to 1, the same from both ends.
     ///
     /// 1 if an end is not a point. Two equal ends give 0 or 1.

@@ -89,6 +89,11 @@ const BAD_LINES: &[(&str, &str, &str)] = &[
         "uavs = 3\nspawns_m = [[1, 0], [0.5, 0, 7], [0, 0]]",
         "plain.toml:10: chain.spawns_m.1 = 3 numbers: expected two numbers [x, y]",
     ),
+    (
+        "uavs = 3",
+        "uavs = 3\ngoal_m = [5.0, 0.4]",
+        "plain.toml:10: chain.goal_m = [5, 0.4]: the goal is on a wall; expected free space",
+    ),
     ("uavs = 3", "uavs = 3\ngoal_m = [9, 0]", "plain.toml:10: chain.goal_m = [9, 0]: the goal is in rock"),
     (
         "uavs = 3",

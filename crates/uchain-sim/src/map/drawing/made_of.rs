@@ -4,8 +4,8 @@ use geo::{BoundingRect, Contains, Point, Polygon, Rect};
 
 use crate::map::Map;
 
-/// How far behind a wall its material is looked for (m).
-const BEHIND_M: f64 = 2e-3;
+/// How far behind a wall its material is looked for, nearer where the rock is thinner (m).
+const BEHIND_M: [f64; 2] = [2e-3, 4e-4];
 /// Most looks at a box around a piece, over all walls: half a second.
 const MOST_LOOKS: usize = 200_000_000;
 
@@ -22,12 +22,12 @@ pub(super) fn made_of(map: &Map, solids: &[(Polygon, Option<usize>)]) -> Vec<Opt
     }
     let material = |wall: &crate::map::Segment| {
         let (a, b) = wall.ends();
-        let across = (b - a).perp().normalize_or_zero() * BEHIND_M;
-        [across, -across].into_iter().find_map(|across| {
-            let at = a.midpoint(b) + across;
-            if !map.in_rock_f64(at) {
+        let (face, across) = (a.midpoint(b), (b - a).perp().normalize_or_zero());
+        BEHIND_M.into_iter().flat_map(|behind_m| [across * behind_m, -across * behind_m]).find_map(|across| {
+            if !map.is_rock_behind(face, across) {
                 return None;
             }
+            let at = face + across;
             let at = Point::new(at.x, at.y);
             // What is drawn last lies on top.
             let mut behind = pieces.iter().rev().filter(|(around, _, _)| around.contains(&at));

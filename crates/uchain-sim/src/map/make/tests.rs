@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use twox_hash::XxHash64;
 
 use super::*;
-use crate::map::CellGrid;
+use crate::map::{CellGrid, NodeKind};
 
 fn wish(kind: Kind, seed: u64) -> Wish {
     Wish { kind, seed, extent: None, width_m: None, roughness: None }
@@ -71,6 +71,20 @@ fn ten_kilometres_of_mine_and_of_tunnel_are_made_with_few_walls() {
         let made = long.make().unwrap();
         assert!((made.length_m - 10_000.0).abs() < 10.0, "{} m", made.length_m);
         assert!((1000..20_000).contains(&made.map.walls().len()), "{} walls", made.map.walls().len());
+    }
+}
+
+#[test]
+fn galleries_that_end_in_a_corner_are_as_wide_in_the_graph_as_they_are_made() {
+    for seed in 1..=6 {
+        let made = wish(Kind::Branching, seed).make().unwrap();
+        let graph = made.map.tunnel_graph().unwrap();
+        let dead = graph.nodes.iter().filter(|node| node.kind == NodeKind::DeadEnd);
+        let narrowest_m = dead
+            .flat_map(|node| &node.edges)
+            .map(|&edge| graph.edges[edge].narrowest_m)
+            .fold(f32::INFINITY, f32::min);
+        assert!(f64::from(narrowest_m) > 0.4 * made.width_m, "{seed}: {narrowest_m} of {} m", made.width_m);
     }
 }
 

@@ -33,6 +33,10 @@ pub use tree::WayTree;
 /// Passages narrower than this are none (m): half of what a UAV of 6 cm radius needs.
 pub const NARROWEST_M: f64 = 0.06;
 
+/// How far the tip of a dead end reaches, as a share of the distance to the walls (1): a line that runs into a right-angled
+/// corner is √2 of it long.
+const TIP_SHARE: f32 = 1.5;
+
 /// The middle of all passages of a map.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct TunnelGraph {
@@ -81,7 +85,8 @@ pub struct GraphEdge {
     pub clearance_m: Vec<f32>,
     /// Length of the line (m).
     pub length_m: f64,
-    /// Least width along the line (m), without the tip of a dead end: the part within the first circle that lies clear of it.
+    /// Least width along the line (m), without the tips of dead ends: what lies nearer to them than about one and a half
+    /// times the distance to the walls, where the line runs into a corner.
     pub narrowest_m: f32,
 }
 
@@ -93,10 +98,14 @@ impl GraphEdge {
         Self { ends, line, clearance_m, length_m, narrowest_m }
     }
 
-    /// Least width without the tips that are dead ends: a corner may be narrow into which nobody has to fly.
+    /// Least width without the tips that are dead ends: a corner may be narrow into which nobody has to fly. In a corner
+    /// no circle reaches the tip; there the distance to the walls in the middle of the passage is the measure.
     fn narrowest_without(&self, is_tip: [bool; 2]) -> f32 {
+        let mut sorted_m = self.clearance_m.clone();
+        sorted_m.sort_by(f32::total_cmp);
+        let middle_m = sorted_m.get(sorted_m.len() / 2).copied().unwrap_or_default();
         let is_near = |tip: Option<&Vec2>, (at, clearance_m): (&Vec2, &f32)| {
-            tip.is_some_and(|tip| tip.distance(*at) < *clearance_m)
+            tip.is_some_and(|tip| tip.distance(*at) < TIP_SHARE * clearance_m.max(middle_m))
         };
         let places = || self.line.iter().zip(&self.clearance_m);
         let first = if is_tip[0] {

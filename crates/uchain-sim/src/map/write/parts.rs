@@ -4,8 +4,10 @@ use glam::DVec2;
 
 use crate::map::{Map, Material};
 
-/// How far behind a wall the piece of rock reaches that says what the wall is made of (m).
-const FACE_M: f64 = 0.004;
+/// How far behind a wall the piece of rock reaches that says what the wall is made of, less where the rock is thinner (m).
+const FACE_M: [f64; 3] = [4e-3, 2e-3, 1e-3];
+/// No face is deeper than this share of its length: in the corner between two walls it stays within the rock.
+const FACE_SHARE: f64 = 0.1;
 
 /// Free areas, the rock that stands in them, and what walls are made of. Places are in the map frame (m).
 #[derive(Debug, Default)]
@@ -61,11 +63,21 @@ impl<'a> Parts<'a> {
             for (wall, segment) in walls.iter().enumerate() {
                 let Some(material) = map.material_of_wall(first + wall).filter(|_| !said) else { continue };
                 let (a, b) = segment.ends();
-                let across = (b - a).perp().normalize_or_zero() * FACE_M;
-                let middle = a.midpoint(b);
-                let is_rock = |at: &DVec2| map.in_rock_f64(*at);
-                if let Some(behind) = [middle + across, middle - across].into_iter().find(is_rock) {
-                    self.rock.push(Rock { rings: vec![vec![a, b, behind]], material: Some(material) });
+                let (middle, across) = (a.midpoint(b), (b - a).perp().normalize_or_zero());
+                let deepest_m = FACE_SHARE * a.distance(b);
+                let depths = FACE_M.into_iter().map(|depth_m| depth_m.min(deepest_m));
+                let mut faces = depths.flat_map(|depth_m| [across * depth_m, -across * depth_m]);
+                let is_free_of_space = |across: &DVec2| {
+                    let quarters = [a.midpoint(middle), middle, middle.midpoint(b)];
+                    let depths = [0.5, 1.0, 0.5];
+                    quarters
+                        .into_iter()
+                        .zip(depths)
+                        .all(|(at, share)| map.is_rock_behind(at, share * *across))
+                };
+                if let Some(across) = faces.find(is_free_of_space) {
+                    self.rock
+                        .push(Rock { rings: vec![vec![a, b, middle + across]], material: Some(material) });
                 }
             }
             first += walls.len();

@@ -54,9 +54,9 @@ pub use metrics::{LinkSummary, Metrics, Summary, Timeline};
 pub use picture::{everywhere_png, plan_png, run_picture, run_png};
 use pilot::Steering;
 pub use plan::{
-    Assumptions, Batteries, Battery, BatteryAssumed, Flown, FlownRun, HeadAssumed, Launch, MOST_LISTED,
-    MOST_ROWS, MapAssumed, Place, Plan, PlanError, PlanOptions, PlanRow, RESERVE, RadioAssumed, Reach,
-    Sensitivity, Variant, plan, plan_while,
+    Assumptions, Batteries, Battery, BatteryAssumed, FlightEnd, Flown, FlownRun, HeadAssumed, Launch,
+    MOST_LISTED, MOST_ROWS, MapAssumed, Place, Plan, PlanError, PlanOptions, PlanRow, RESERVE, RadioAssumed,
+    Reach, Sensitivity, Variant, plan, plan_while,
 };
 pub use scene::{Course, CourseOptimum, Everywhere, Farthest, FromBase, ReachedCell, Spawn};
 pub use shown::{Moments, PlanSteps, PlanTable, ThinnedHistory, everywhere_csv, places_csv, places_geojson};

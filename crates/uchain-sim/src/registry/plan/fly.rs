@@ -13,7 +13,9 @@ use uchain_core::chain::{Follow, PilotInput};
 use crate::{
     clock::time_s,
     map::Tunnel,
-    mission::chain::{Course, Flown, FlownRun, Frame, PilotStep, Plan, Scenario, Spawn},
+    mission::chain::{
+        Course, FlightEnd, Flown, FlownRun, Frame, HeadFrame, PilotStep, Plan, Scenario, Spawn, UavFrame,
+    },
     record::{RecordError, Recorder},
     run::{RunError, run_with},
 };
@@ -26,6 +28,12 @@ const LONGEST_S: f64 = 86_400.0;
 const THERE_M: f64 = 0.5;
 /// Who is farther from the middle than this is in another passage (m).
 const ASTRAY_M: f32 = 3.0;
+/// Ticks of a minute.
+const MINUTE_TICKS: u32 = 1200;
+/// The link holds the head back where it leaves it less than this share of the speed that the pilot asks for (1).
+const HELD_SHARE: f32 = 0.5;
+/// Who comes less far in a minute does not move (m).
+const STUCK_M: f64 = 1.0;
 /// How far ahead the pilot looks on his map (m), and by how much the way has to turn there for him to keep to a wall (rad).
 const AHEAD_M: f64 = 1.2;
 const TURN_RAD: f32 = 0.35;
@@ -131,20 +139,15 @@ impl PlanFlight {
 
     fn one(&self, seed: u64, go_on: &dyn Fn() -> bool) -> Result<FlownRun, RunError> {
         let tunnel = self.course.tunnel.as_ref();
-        let (mut reach_m, mut there_s) = (0.0_f64, None);
+        let mut way = Way::default();
         let mut pilot = |tick: u64, last: &Frame| {
             let head = last.uavs.get(last.leader);
             let asked = head.zip(tunnel).map(|(head, tunnel)| {
-                let at = Vec2::new(head.x_m, head.y_m);
-                let depth_m = tunnel.depth_m(at);
-                let (middle, _) = tunnel.at(depth_m);
-                if head.airborne && middle.distance(at) < ASTRAY_M {
-                    reach_m = reach_m.max(depth_m);
+                let depth_m = way.watch(last, head, tunnel);
+                if way.there_s.is_none() && way.reach_m >= self.goal_m - THERE_M {
+                    way.there_s = Some(time_s(tick));
                 }
-                if there_s.is_none() && reach_m >= self.goal_m - THERE_M {
-                    there_s = Some(time_s(tick));
-                }
-                let speed_mps = if there_s.is_some() { 0.0 } else { self.speed_mps };
+                let speed_mps = if way.there_s.is_some() { 0.0 } else { self.speed_mps };
                 PilotInput { speed_mps, follow: side(tunnel, depth_m, head.heading_rad) }
             });
             asked.filter(|_| tick.is_multiple_of(DECISION_TICKS))
@@ -152,13 +155,72 @@ impl PlanFlight {
         let summary = run_with(&self.course, seed, &mut pilot, &mut Watched(go_on))?.summary;
         Ok(FlownRun {
             seed: Some(seed),
-            reach_m,
-            there_min: there_s.map(|there_s| there_s / 60.0),
+            reach_m: way.reach_m,
+            there_min: way.there_s.map(|there_s| there_s / 60.0),
             relays: summary.launches_s.len().saturating_sub(1),
             worst_link_db: summary.worst_link_db.map(f64::from),
             connected_fraction: summary.connected_fraction.unwrap_or_default(),
             contacts: summary.wall_contacts + summary.uav_contacts,
+            ended: Some(way.end()),
+            head_m: Some(self.course.map.to_file(way.at)),
         })
+    }
+}
+
+/// How the head gets on along the way.
+#[derive(Debug, Default)]
+struct Way {
+    reach_m: f64,
+    there_s: Option<f64>,
+    at: Vec2,
+    is_astray: bool,
+    /// Ticks of the minute that runs, those in which the link held the head back, and how deep it was at its start (m).
+    minute: Minute,
+    last: Minute,
+}
+
+#[derive(Debug, Default, Clone, Copy)]
+struct Minute {
+    ticks: u32,
+    held: u32,
+    from_m: f64,
+}
+
+impl Way {
+    /// Takes in one instant; says how deep the head is (m).
+    fn watch(&mut self, frame: &Frame, head: &UavFrame, tunnel: &Tunnel) -> f64 {
+        let at = Vec2::new(head.x_m, head.y_m);
+        let depth_m = tunnel.depth_m(at);
+        let (middle, _) = tunnel.at(depth_m);
+        self.at = at;
+        self.is_astray = middle.distance(at) >= ASTRAY_M;
+        if head.airborne && !self.is_astray {
+            self.reach_m = self.reach_m.max(depth_m);
+        }
+        if self.minute.ticks >= MINUTE_TICKS {
+            self.last = self.minute;
+            self.minute = Minute { from_m: self.reach_m, ..Minute::default() };
+        }
+        self.minute.ticks += 1;
+        let is_held = |head: &HeadFrame| head.allowed_mps < HELD_SHARE * head.pilot_mps;
+        self.minute.held += u32::from(frame.head.as_ref().is_some_and(is_held));
+        depth_m
+    }
+
+    /// How it ended, by the last whole minute and what came after it.
+    fn end(&self) -> FlightEnd {
+        let (ticks, held) = (self.last.ticks + self.minute.ticks, self.last.held + self.minute.held);
+        if self.there_s.is_some() {
+            FlightEnd::Arrived
+        } else if self.is_astray {
+            FlightEnd::Astray
+        } else if 2 * held > ticks {
+            FlightEnd::HeldByLink
+        } else if self.reach_m - self.last.from_m < STUCK_M {
+            FlightEnd::Stuck
+        } else {
+            FlightEnd::UnderWay
+        }
     }
 }
 

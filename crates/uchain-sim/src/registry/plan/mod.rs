@@ -92,6 +92,9 @@ pub struct PlanRequest<'a> {
     pub from: Option<&'a str>,
     /// The second of them.
     pub to: Option<&'a str>,
+    /// Whether a bare map whose goal nobody says is planned down to the place that is farthest from its base along the
+    /// passages.
+    pub to_farthest: bool,
     /// What limit and reference loss are worked out from.
     pub budget: Option<&'a LinkBudget>,
     /// How an argument was typed, for messages about it.
@@ -287,8 +290,11 @@ impl PlanRequest<'_> {
 
     /// Base, goal and heading; places by name are looked up in the map.
     fn shorts_of_places(&self, map: Option<&Map>) -> Result<Vec<Short>, PlanRequestError> {
-        let [base, goal] = self.spots();
-        if let (PlanFor::Map(file), true) = (self.what, self.lacks_a_place()) {
+        let [base, mut goal] = self.spots();
+        if self.to_farthest && goal.is_none() {
+            goal = map.zip(base.as_ref()).and_then(|(map, base)| spot::farthest(map, base));
+        }
+        if let (PlanFor::Map(file), true) = (self.what, base.is_none() || goal.is_none()) {
             let places = map.map(Map::places).unwrap_or_default();
             return Err(PlanRequestError::BareMap {
                 map: file.clone(),

@@ -1,7 +1,10 @@
 //! Places by where they are, or by the name that the map has for them.
 
 use super::PlanRequestError;
-use crate::map::Place;
+use crate::{
+    map::{Map, Place},
+    world::MotionParams,
+};
 
 /// A place as somebody gives it.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,6 +42,18 @@ pub(super) fn find(places: &[Place], name: &str) -> Result<[f64; 2], PlanRequest
     by_likeness.sort_unstable();
     let near = by_likeness.into_iter().take(SHOWN).map(|(_, name)| name.to_owned()).collect();
     Err(no_place(name, near, places.len()))
+}
+
+/// The place that is farthest from a base along the passages that a UAV fits through; `None` without a passage at the base.
+pub(super) fn farthest(map: &Map, base: &Spot) -> Option<Spot> {
+    let base_m = match base {
+        Spot::At(at_m) => *at_m,
+        Spot::Named(name) => find(map.places(), name).ok()?,
+    };
+    let radius_m = MotionParams::default().radius_m;
+    let tree = map.tunnel_graph().ok()?.tree_for(map, map.to_local(base_m), radius_m);
+    let deepest = tree.deepest().filter(|&deepest| deepest > 0)?;
+    Some(Spot::At(map.to_file(tree.at[deepest])))
 }
 
 fn no_place(name: &str, near: Vec<String>, count: usize) -> PlanRequestError {

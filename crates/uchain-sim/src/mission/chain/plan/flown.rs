@@ -11,10 +11,45 @@ pub struct Flown {
     pub uavs: usize,
     /// Flight by flight.
     pub runs: Vec<FlownRun>,
-    /// The middle one in every number.
+    /// The middle one in every number; of an even count the worse of the two in the middle.
     pub median: FlownRun,
     /// The worst in every number: not one flight, but the worst of all.
     pub worst: FlownRun,
+}
+
+/// How a flight ended, by what its head did in the last minute.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FlightEnd {
+    /// It was there.
+    Arrived,
+    /// In another passage than the planned one, or elsewhere away from it: without a map the laws keep to walls and not to
+    /// a way.
+    Astray,
+    /// Its link let it go no farther: the relays behind it had not come up.
+    HeldByLink,
+    /// On the way, with a link that is good enough, and yet it hardly moved: before a wall.
+    Stuck,
+    /// Still on its way.
+    UnderWay,
+}
+
+impl FlightEnd {
+    /// All of them, from good to bad.
+    pub const ALL: [Self; 5] = [Self::Arrived, Self::UnderWay, Self::HeldByLink, Self::Stuck, Self::Astray];
+
+    /// In words, of so many flights.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Arrived => "there",
+            Self::UnderWay => "still under way when the time was up",
+            Self::HeldByLink => {
+                "held back by the head's link: the relays did not come up (link.head_stop_db)"
+            }
+            Self::Stuck => "before a wall",
+            Self::Astray => "away from the planned way: without a map the laws follow walls",
+        }
+    }
 }
 
 /// One flight.
@@ -34,6 +69,10 @@ pub struct FlownRun {
     pub connected_fraction: f64,
     /// Contacts with walls and with each other.
     pub contacts: u32,
+    /// How it ended; `None` of a middle or a worst.
+    pub ended: Option<FlightEnd>,
+    /// Where the head was at the end, in the map's own frame (m); `None` of a middle or a worst.
+    pub head_m: Option<[f64; 2]>,
 }
 
 impl Flown {
@@ -75,5 +114,7 @@ fn each(runs: &[FlownRun], pick: fn(&Of) -> f64) -> FlownRun {
         worst_link_db: Some(worst_link_db).filter(|loss_db| loss_db.is_finite()),
         connected_fraction: sorted(|run| run.connected_fraction, large),
         contacts: sorted(|run| f64::from(run.contacts), small) as u32,
+        ended: None,
+        head_m: None,
     }
 }

@@ -26,7 +26,7 @@ use crate::{
 pub use assumptions::{Assumptions, BatteryAssumed, HeadAssumed, MapAssumed, RadioAssumed};
 pub use battery::{Batteries, Battery};
 pub use error::PlanError;
-pub use flown::{Flown, FlownRun};
+pub use flown::{FlightEnd, Flown, FlownRun};
 pub use places::Place;
 pub use reach::Reach;
 pub use sensitivity::{Sensitivity, Variant};
@@ -62,7 +62,8 @@ pub struct Plan {
     pub speed_asked_mps: Option<f64>,
     /// UAVs needed at the worst depth, the head included; `None` where no number would do.
     pub uavs_needed: Option<usize>,
-    /// The deepest row up to which every row is feasible (m); `None` if already the first is not.
+    /// How deep the head can go, to a centimetre, with every row on the way there feasible (m); `None` if it is not even the
+    /// first centimetre.
     pub feasible_to_m: Option<f64>,
     /// When each relay takes off, in order.
     pub launches: Vec<Launch>,
@@ -243,14 +244,24 @@ pub fn plan_while(
         let relays_needed = links.map(|links| links - 1);
         let time_min = clock.time_min(depth_m);
         plan.launch(relays_needed.unwrap_or_default(), depth_m, &clock);
+        let before = plan.uavs_needed;
         plan.uavs_needed = plan.uavs_needed.zip(links).map(|(most, links)| most.max(links));
-        let enough = plan.uavs_needed.is_some_and(|needed| needed <= uavs.unwrap_or(MOST_LINKS));
-        let lasts = time_min.is_none_or(|time_min| 60.0 * time_min <= plan.endurance_s);
-        let feasible = enough && lasts;
-        feasible_so_far &= feasible;
-        if feasible_so_far {
+        let can_be = |links: Option<usize>, time_min: Option<f64>| {
+            links.is_some_and(|links| links <= uavs.unwrap_or(MOST_LINKS))
+                && time_min.is_none_or(|time_min| 60.0 * time_min <= plan.endurance_s)
+        };
+        let feasible = can_be(plan.uavs_needed, time_min);
+        if feasible_so_far && feasible {
             plan.feasible_to_m = Some(depth_m);
+        } else if feasible_so_far {
+            let (from_m, needed) =
+                plan.rows.last().map_or((0.0, Some(1)), |row: &PlanRow| (row.depth_m, before));
+            plan.feasible_to_m = deepest_m(from_m, depth_m, |depth_m| {
+                let links = needed.zip(optimum.head(depth_m).links_needed());
+                can_be(links.map(|(most, links)| most.max(links)), clock.time_min(depth_m))
+            });
         }
+        feasible_so_far &= feasible;
         let first_min = plan.launches.first().and_then(|first| first.time_min);
         plan.rows.push(PlanRow {
             depth_m,
@@ -273,6 +284,21 @@ pub fn plan_while(
     plan.sensitivity = sensitivity::sensitivity(course, goal_m, go_on)?;
     (plan.verdict, plan.would_help) = (answer(&plan), help(&plan));
     Ok(plan)
+}
+
+/// The deepest place between one that can be done and one that cannot (m), by halves; `None` if that is the very first
+/// centimetre of all.
+fn deepest_m(from_m: f64, to_m: f64, can_be: impl Fn(f64) -> bool) -> Option<f64> {
+    let (mut low_m, mut high_m) = (from_m, to_m);
+    while high_m - low_m > 0.01 {
+        let middle_m = low_m.midpoint(high_m);
+        if can_be(middle_m) {
+            low_m = middle_m;
+        } else {
+            high_m = middle_m;
+        }
+    }
+    (low_m > 0.0).then_some(low_m)
 }
 
 impl Plan {

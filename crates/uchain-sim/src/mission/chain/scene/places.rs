@@ -9,6 +9,9 @@ use crate::{
     scene::{in_rock, refuse, room_near, to_a_micrometre},
 };
 
+/// A goal nearer to a wall than this is on it (m).
+const ON_A_WALL_M: f32 = 1e-3;
+
 /// Where a UAV is to wait, in the scenario's frame, and the key that says so.
 pub(super) struct Place {
     pub(super) key: String,
@@ -70,6 +73,10 @@ impl Spots<'_> {
         if let Some(in_rock) = in_rock(self.map, goal) {
             let room = room_near(self.map, goal, self.radius_m);
             return wrong(&format!("the goal is {in_rock}; expected free space{room}"));
+        }
+        if self.map.clearance_m(goal) < ON_A_WALL_M {
+            let room = room_near(self.map, goal, self.radius_m);
+            return wrong(&format!("the goal is on a wall; expected free space{room}"));
         }
         let Some(line) = line else {
             let path = self.map.tunnel_between(base, goal, self.radius_m);

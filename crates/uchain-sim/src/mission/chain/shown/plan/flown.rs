@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::decimal;
-use crate::mission::chain::{FlownRun, Plan};
+use crate::mission::chain::{FlightEnd, FlownRun, Plan};
 
 /// Median and worst flight beside what was planned.
 pub(super) fn flown(plan: &Plan) -> String {
@@ -28,6 +28,12 @@ pub(super) fn flown(plan: &Plan) -> String {
     line("worst link (dB)", decimal(goal.bottleneck_db), &|run| decimal(run.worst_link_db));
     line("connected (%)", "100".to_owned(), &|run| format!("{:.1}", 100.0 * run.connected_fraction));
     line("contacts", "0".to_owned(), &|run| run.contacts.to_string());
+    for end in FlightEnd::ALL.into_iter().filter(|end| *end != FlightEnd::Arrived) {
+        let count = flown.runs.iter().filter(|run| run.ended == Some(end)).count();
+        if count > 0 {
+            let _ = writeln!(text, "  {count} of {}: {}", flown.runs.len(), end.words());
+        }
+    }
     text += "  A plan is a best case: in a flight relays have to find their places by what they measure.\n";
     text
 }
