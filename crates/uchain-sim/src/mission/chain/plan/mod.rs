@@ -2,6 +2,7 @@
 
 mod assumptions;
 mod battery;
+mod best;
 mod clock;
 mod error;
 mod flown;
@@ -12,7 +13,6 @@ mod sensitivity;
 mod tests;
 
 use serde::Serialize;
-use uchain_core::bounded;
 
 use crate::{
     analyse::optimum::MOST_LINKS,
@@ -31,6 +31,7 @@ pub use places::Place;
 pub use reach::Reach;
 pub use sensitivity::{Sensitivity, Variant};
 
+use best::{Best, best_chains, deepest_m};
 use clock::Clock;
 
 /// Most rows of a plan.
@@ -152,6 +153,9 @@ pub struct PlanRow {
     pub feasible: bool,
 }
 
+/// Rows that are worked out at once.
+const AT_ONCE: usize = 32;
+
 /// Plans a mission down to `to_m` (the tunnel's end if `None`), with a row every `step_m`, for so many `uavs` at hand,
 /// the head included (`None`: as many as it takes).
 ///
@@ -169,7 +173,7 @@ pub fn plan(course: &Course, to_m: Option<f64>, step_m: f64, uavs: Option<usize>
     plan_while(course, &PlanOptions { to_m, step_m, uavs, ..PlanOptions::default() }, &mut || true)
 }
 
-/// Like [`plan`], with all there is to say, as long as whoever asked for it wants to go on, which is asked before every row.
+/// Like [`plan`], with all there is to say, as long as whoever asked for it wants to go on, which is asked every few rows.
 ///
 /// # Errors
 /// Those of [`plan`], and [`PlanError::Interrupted`].
@@ -226,21 +230,17 @@ pub fn plan_while(
         everywhere: None,
         flown: None,
     };
-    let mut feasible_so_far = true;
-    for step in 1..=steps as usize {
+    let depths_m = (1..=steps as usize).map(|step| (step as f64 * step_m).min(to_m).min(tunnel_m));
+    let depths_m: Vec<f64> = depths_m.collect();
+    let mut best = Vec::with_capacity(depths_m.len());
+    for depths_m in depths_m.chunks(AT_ONCE) {
         if !go_on() {
             return Err(PlanError::Interrupted);
         }
-        let depth_m = (step as f64 * step_m).min(to_m).min(tunnel_m);
-        let head = optimum.head(depth_m);
-        let links = head.links_needed();
-        // How bad the worst of 16 links is where it takes 30 helps nobody.
-        let listed = match links {
-            Some(links) if links > MOST_LISTED => 0,
-            Some(links) => links,
-            None => bounded(uavs.unwrap_or(MOST_LISTED), 1, MOST_LISTED),
-        };
-        let bottleneck = |links| head.optimum(links).bottleneck_db;
+        best.extend(best_chains(&optimum, depths_m, uavs));
+    }
+    let mut feasible_so_far = true;
+    for (depth_m, Best { links, by_links_db, bottleneck_db }) in depths_m.into_iter().zip(best) {
         let relays_needed = links.map(|links| links - 1);
         let time_min = clock.time_min(depth_m);
         plan.launch(relays_needed.unwrap_or_default(), depth_m, &clock);
@@ -265,9 +265,9 @@ pub fn plan_while(
         let first_min = plan.launches.first().and_then(|first| first.time_min);
         plan.rows.push(PlanRow {
             depth_m,
-            bottleneck_by_links_db: (1..=listed).map(bottleneck).collect(),
+            bottleneck_by_links_db: by_links_db,
             relays_needed,
-            bottleneck_db: links.map(bottleneck),
+            bottleneck_db,
             time_min,
             first_relay_min: time_min.zip(first_min).map(|(now_min, first_min)| now_min - first_min),
             home_min: clock.home_min(depth_m, asked.stay_s),
@@ -284,21 +284,6 @@ pub fn plan_while(
     plan.sensitivity = sensitivity::sensitivity(course, goal_m, go_on)?;
     (plan.verdict, plan.would_help) = (answer(&plan), help(&plan));
     Ok(plan)
-}
-
-/// The deepest place between one that can be done and one that cannot (m), by halves; `None` if that is the very first
-/// centimetre of all.
-fn deepest_m(from_m: f64, to_m: f64, can_be: impl Fn(f64) -> bool) -> Option<f64> {
-    let (mut low_m, mut high_m) = (from_m, to_m);
-    while high_m - low_m > 0.01 {
-        let middle_m = low_m.midpoint(high_m);
-        if can_be(middle_m) {
-            low_m = middle_m;
-        } else {
-            high_m = middle_m;
-        }
-    }
-    (low_m > 0.0).then_some(low_m)
 }
 
 impl Plan {
