@@ -39,6 +39,7 @@ impl Map {
 
     /// Whether rock begins right behind a wall's face and goes on by `across`: what lies beyond a narrow cleft is another
     /// wall's rock.
+    #[cfg(feature = "drawings")]
     pub(super) fn is_rock_behind(&self, face: DVec2, across: DVec2) -> bool {
         [0.125, 0.25, 0.5, 0.75, 1.0].into_iter().all(|share| self.in_rock_f64(face + share * across))
     }
