@@ -74,6 +74,21 @@ fn command(folder: &Path, args: &[&str]) -> Command {
     command
 }
 
+/// Makes a program of a file. Another process writes it: what this one has open for writing is for a moment open in whatever a
+/// test beside this one starts, and a program that is open for writing cannot be run (ETXTBSY, "text file busy").
+fn install(from: &Path, to: &Path) {
+    let done = Command::new("install").args(["-m", "755"]).arg(from).arg(to).status().unwrap();
+    assert!(done.success(), "install {} {}", from.display(), to.display());
+}
+
+/// The same of the text of a script.
+fn install_script(text: &str, to: &Path) {
+    let written = to.with_extension("script");
+    fs::write(&written, text).unwrap();
+    install(&written, to);
+    fs::remove_file(written).unwrap();
+}
+
 fn stdout(output: &Output) -> &str {
     std::str::from_utf8(&output.stdout).unwrap()
 }

@@ -4,7 +4,7 @@
 use std::{
     collections::{BTreeMap, BTreeSet},
     fs,
-    os::unix::fs::{PermissionsExt as _, symlink},
+    os::unix::fs::symlink,
     path::{Path, PathBuf},
     process::{Command, Output, Stdio},
 };
@@ -12,7 +12,7 @@ use std::{
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::{folder, shared_cases, stderr, stdout, uchain};
+use crate::{folder, install_script, shared_cases, stderr, stdout, uchain};
 
 /// A text that users read.
 struct Text {
@@ -144,9 +144,7 @@ impl Bench {
             fs::create_dir_all(root.path().join(name)).unwrap();
         }
         for (name, script) in STANDS_IN {
-            let file = bin.join(name);
-            fs::write(&file, format!("#!/usr/bin/env bash\n{script}\n")).unwrap();
-            fs::set_permissions(&file, fs::Permissions::from_mode(0o755)).unwrap();
+            install_script(&format!("#!/usr/bin/env bash\n{script}\n"), &bin.join(name));
         }
         if let Some(cases) = shared_cases() {
             symlink(fs::canonicalize(cases.join("..")).unwrap(), root.path().join("shared")).unwrap();

@@ -1,11 +1,11 @@
-use std::{fs, os::unix::fs::PermissionsExt as _, path::Path, process::Output};
+use std::{fs, path::Path, process::Output};
 
 use base64::{Engine as _, prelude::BASE64_STANDARD};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 use uchain_sim::{config::Source, registry::Registry};
 
-use crate::{command, folder, stderr, stdout, uchain};
+use crate::{command, folder, install, install_script, stderr, stdout, uchain};
 
 /// As `cargo xtask web` leaves it, but for all that is in it.
 pub(crate) const PAGE: &str = "<!doctype html>\n<main></main>\n<!-- uchain:flight -->\n<p>after</p>\n";
@@ -230,7 +230,7 @@ fn without_a_page_one_line_says_what_to_type() {
     // As if it were installed: no target folder around it.
     let program = here.path().join("bin/uchain");
     fs::create_dir(here.path().join("bin")).unwrap();
-    fs::copy(env!("CARGO_BIN_EXE_uchain"), &program).unwrap();
+    install(env!("CARGO_BIN_EXE_uchain").as_ref(), &program);
     let mut view = std::process::Command::new(&program);
     let output =
         view.args(["view", "circuit"]).current_dir(here.path()).env_remove("UCHAIN_PAGE").output().unwrap();
@@ -245,11 +245,7 @@ fn the_page_is_opened_and_where_nothing_opens_it_a_note_says_where_it_is() {
     let here = place();
     let bin = here.path().join("bin");
     fs::create_dir(&bin).unwrap();
-    let opener = |script: &str| {
-        let file = bin.join("xdg-open");
-        fs::write(&file, format!("#!/bin/sh\n{script}\n")).unwrap();
-        fs::set_permissions(&file, fs::Permissions::from_mode(0o755)).unwrap();
-    };
+    let opener = |script: &str| install_script(&format!("#!/bin/sh\n{script}\n"), &bin.join("xdg-open"));
     let open = |path: &str| {
         let mut view = command(here.path(), &["view", "corner"]);
         view.env("UCHAIN_PAGE", "page.html").env("PATH", path).output().unwrap()
