@@ -24,6 +24,9 @@ use crate::{
 };
 use arguments::{asked_for, count, length, number, spot, typed};
 
+// The default of `reserve` below: Python shows the default of an argument only where it is written as a number.
+const _: () = assert!(RESERVE.to_bits() == 0.2_f64.to_bits());
+
 /// The best chains against the depth of the head, and the time they take. Nothing was simulated.
 ///
 /// `print(plan)` is the table of `uchain plan`. Notebooks show its picture.
@@ -245,7 +248,7 @@ fn not_flown(error: &PlanFlightError) -> PyErr {
 /// >>> print(uchain.plan("straight", to_m=12, uavs=2).answer)
 /// 12 m need 2 relays (3 UAVs), 2 at hand: too few; ...
 #[pyfunction]
-#[pyo3(signature = (what, *, to_m=None, step_m=None, uavs=None, speed_mps=None, base_m=None, goal_m=None, heading_deg=None, cell_m=None, from_station=None, to_station=None, stay_min=0.0, reserve=RESERVE, budget=None, everywhere=false, fly=None))]
+#[pyo3(signature = (what, *, to_m=None, step_m=None, uavs=None, speed_mps=None, base_m=None, goal_m=None, heading_deg=None, cell_m=None, from_station=None, to_station=None, stay_min=0.0, reserve=0.2, budget=None, everywhere=false, fly=None))]
 #[expect(clippy::too_many_arguments, reason = "one for each option of the command line")]
 fn plan(
     what: &Bound<'_, PyAny>,
