@@ -337,6 +337,21 @@ fn who_asks_for_everywhere_of_a_bare_map_need_not_say_a_goal() {
     let plan: Value = serde_json::from_str(stdout(&output)).unwrap();
     let [x_m, tunnel_m] = [&plan["head_m"][0], &plan["tunnel_m"]].map(|value| value.as_f64().unwrap());
     assert!(x_m > 10.5 && (9.5..10.8).contains(&tunnel_m), "{x_m} {tunnel_m}");
+
+    // A scenario keeps its own goal, also where the base is said by a name that is looked up in its map.
+    let room = r#"{"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {"kind": "free"},
+         "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [30, 0], [30, 2], [0, 2], [0, 0]]]}},
+        {"type": "Feature", "properties": {"name": "portal"}, "geometry": {"type": "Point", "coordinates": [1, 1]}}]}"#;
+    fs::write(here.path().join("room.geojson"), room).unwrap();
+    let scenario = "name = \"room\"\nduration_s = 10.0\n[map.geojson]\nfile = \"room.geojson\"\nmetres = true\n\
+                    [chain]\nuavs = 1\nbase_m = [1.0, 1.0]\ngoal_m = [9.0, 1.0]\n\
+                    [[pilot]]\nstart_s = 0.0\nspeed_mps = 0.2\n";
+    fs::write(here.path().join("room.toml"), scenario).unwrap();
+    let output = uchain(here.path(), &["plan", "room.toml", "--base", "portal", "--json", "--everywhere"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let plan: Value = serde_json::from_str(stdout(&output)).unwrap();
+    assert_eq!(plan["head_m"][0].as_f64().map(f64::round), Some(9.0), "{}", plan["head_m"]);
 }
 
 #[test]

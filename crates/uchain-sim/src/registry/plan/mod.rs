@@ -291,7 +291,8 @@ impl PlanRequest<'_> {
     /// Base, goal and heading; places by name are looked up in the map.
     fn shorts_of_places(&self, map: Option<&Map>) -> Result<Vec<Short>, PlanRequestError> {
         let [base, mut goal] = self.spots();
-        if self.to_farthest && goal.is_none() {
+        // A scenario has a goal of its own, or a tunnel.
+        if self.to_farthest && goal.is_none() && matches!(self.what, PlanFor::Map(_)) {
             goal = map.zip(base.as_ref()).and_then(|(map, base)| spot::farthest(map, base));
         }
         if let (PlanFor::Map(file), true) = (self.what, base.is_none() || goal.is_none()) {

@@ -3,6 +3,7 @@
 use super::PlanRequestError;
 use crate::{
     map::{Map, Place},
+    mission::chain::Farthest,
     world::MotionParams,
 };
 
@@ -51,9 +52,7 @@ pub(super) fn farthest(map: &Map, base: &Spot) -> Option<Spot> {
         Spot::Named(name) => find(map.places(), name).ok()?,
     };
     let radius_m = MotionParams::default().radius_m;
-    let tree = map.tunnel_graph().ok()?.tree_for(map, map.to_local(base_m), radius_m);
-    let deepest = tree.deepest().filter(|&deepest| deepest > 0)?;
-    Some(Spot::At(map.to_file(tree.at[deepest])))
+    Some(Spot::At(Farthest::of(map, map.to_local(base_m), radius_m).ok()??.at_m))
 }
 
 fn no_place(name: &str, near: Vec<String>, count: usize) -> PlanRequestError {

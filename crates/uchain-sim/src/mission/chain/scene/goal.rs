@@ -2,8 +2,13 @@
 
 use std::fmt;
 
+use glam::Vec2;
+
 use super::Course;
-use crate::{map::MapError, mission::chain::PlanError};
+use crate::{
+    map::{Map, MapError},
+    mission::chain::PlanError,
+};
 
 /// The place that is farthest from the base along the middle of the passages.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,10 +41,17 @@ impl Course {
     /// # Errors
     /// A map too large for the tunnel graph.
     pub fn farthest(&self) -> Result<Option<Farthest>, MapError> {
-        let tree = self.map.tunnel_graph()?.tree_for(&self.map, self.base, self.scenario.motion.radius_m);
+        Farthest::of(&self.map, self.base, self.scenario.motion.radius_m)
+    }
+}
+
+impl Farthest {
+    /// The same of a map alone, from a base in its frame, for who needs so much room on all sides (m).
+    pub(crate) fn of(map: &Map, base: Vec2, radius_m: f32) -> Result<Option<Self>, MapError> {
+        let tree = map.tunnel_graph()?.tree_for(map, base, radius_m);
         Ok(tree.deepest().filter(|&deepest| deepest > 0).map(|deepest| {
-            let ([x, y], at) = (self.map.offset_m(), tree.at[deepest]);
-            Farthest { at_m: [f64::from(at.x) + x, f64::from(at.y) + y], way_m: tree.depth_m[deepest] }
+            let ([x, y], at) = (map.offset_m(), tree.at[deepest]);
+            Self { at_m: [f64::from(at.x) + x, f64::from(at.y) + y], way_m: tree.depth_m[deepest] }
         }))
     }
 }
