@@ -39,8 +39,12 @@ const ENDING: &str = "\
 | Laclau 2021, §6.1.2 | 20 % of packets lost | none in the published runs (the authors' simulator); 20 % is this project's default |
 | Laclau 2021, Fig. 4F | variance of positions | their standard deviation (the authors' simulator) |
 | Laclau 2021, §4.1 | Eq. 12, speed at most 0.3 m/s | the published figures: a third of a distance read from a path-loss model, at most 0.375 m/s (preset `frontiers2021`) |
-| Laclau 2021, §5 | no word of slower flight near walls | a UAV slows near walls; with the authors' settings only nearer than the middle of their corridor, as 0.2 m/s for 50 s are the published 10 m |
+| Laclau 2021, §5 | no word of slower flight near walls | a UAV slows near walls; with the authors' settings only nearer than the middle of their corridor: else their head would not come 10 m far |
 | Laclau 2021, §6.1.3 | no map of the corridors, no start headings | redrawn: 0.78 m wide, one sharp corner, one bend of 1 m, the circuit; a UAV that starts in a corner looks across it |
+| Laclau 2021, §6.1.3 | 0.2 m/s for 50 s | 0.235 m/s for 40 s, as in the authors' runs, and as printed where a reading is called so |
+| Laclau 2021, §4.3 | nothing of how long a take-off takes | no time, and no wait for the UAV ahead (the authors' simulator); the firmware waits for 3 s |
+| Laclau 2021, Eq. 22 | nothing of the way through the tunnel | 40 dB per metre by which two odometers differ from the straight line (the authors' simulator) |
+| Laclau 2021, §6.2 | RSSI of 60 dB launches | 50 dB in the air, and 10 dB more for an antenna on the ground (the authors' firmware) |
 | Laclau 2021, §6.2 | nothing of how the pilot drove | 0.2 m/s until three links of this radio reach no farther, then hover (fig6) |
 | Kim 2021, Eq. 8 | edges only where both labels are free | edges wherever two nodes see each other: as printed, robots' graphs stay disconnected |
 | Kim 2021, Fig. 8 and 12 | no sizes | maps of our own: nine rooms of 10 m x 10 m, a net of corridors as large, and 2 m x 2 m for the experiment |

@@ -1,5 +1,5 @@
 //! The exploration of Laclau 2021, Fig. 4D to F: the head flies 10 m into the circuit, relays follow; three treatments
-//! of the signal, 30 runs each, with the same noise, by three readings of the paper.
+//! of the signal, 30 runs each, with the same noise, by three readings: the authors' code, their logs, the paper's text.
 
 use std::sync::Arc;
 
@@ -20,8 +20,6 @@ const SETS: [[&str; 2]; 3] = [
     ["link.signal=\"filtered\"", "equalize.tolerance_db=0"],
 ];
 pub(super) const REPLICATES: u64 = 30;
-/// When the head stops (s).
-pub(super) const STOP_S: f64 = 52.0;
 pub(super) const DURATION_S: f64 = 120.0;
 /// Losses this near to each other are level (dB): the authors' simulator.
 pub(super) const LEVEL_DB: f64 = 7.0;
@@ -44,23 +42,31 @@ pub(super) struct Flight {
     pub(super) samples: Vec<Sample>,
     /// Of the first run.
     pub(super) recorded: Option<RecordedRun>,
+    /// When the head is asked to stop (s).
+    pub(super) stop_s: f64,
     pub(super) launches_s: Vec<f64>,
     pub(super) relays_used: usize,
     pub(super) relays_needed: Option<usize>,
-    /// How far the head came (m).
+    /// How far the head came: by the shortest way, and by its odometer (m).
     pub(super) head_reach_m: f64,
+    pub(super) head_flown_m: f64,
 }
 
 /// By treatment, then by replicate.
 pub(super) type RunsByTreatment = Vec<Vec<Flight>>;
 
-/// Readings of what the paper says: their names, whether T0 and T5 launch on the raw signal, and further settings.
+/// Readings of what was flown: their names, whether T0 and T5 launch on the raw signal, and further settings.
 const READINGS: [(&str, bool, &[&str]); 3] =
-    [("authors' simulator", false, &[]), ("raw launches", true, &[]), ("as printed", true, PRINTED)];
-/// Eq. 12 and its largest speed as the text prints them.
-pub(super) const PRINTED: &[&str] = &["equalize.law=\"lipschitz\"", "equalize.v_max_mps=0.3"];
+    [("coded", false, &[]), ("logged", true, &[]), ("printed", true, PRINTED)];
+/// Eq. 12, its largest speed and the head's way as the text prints them.
+pub(super) const PRINTED: &[&str] = &[
+    "equalize.law=\"lipschitz\"",
+    "equalize.v_max_mps=0.3",
+    "pilot.0.speed_mps=0.2",
+    "pilot.1.start_s=50",
+];
 /// Place of the second one.
-const RAW: usize = 1;
+const LOGGED: usize = 1;
 
 /// All runs.
 #[derive(Debug)]
@@ -71,6 +77,8 @@ pub(crate) struct Exploration {
     pub(super) without_flow: Vec<Flight>,
     /// K once more with this project's default slowing near walls, by the first reading.
     pub(super) default_slowing: Vec<Flight>,
+    /// K once more with the shortest way in place of odometers, by the first reading.
+    pub(super) shortest_way: Vec<Flight>,
 }
 
 impl Exploration {
@@ -81,6 +89,7 @@ impl Exploration {
             treated,
             without_flow: variant(&["kalman.flow_gain_db_per_m=0"])?,
             default_slowing: variant(&[&slowing])?,
+            shortest_way: variant(&["radio.detour=geodesic"])?,
         })
     }
 
@@ -90,13 +99,13 @@ impl Exploration {
     }
 
     /// K of the first reading.
-    pub(super) fn simulated(&self) -> &[Flight] {
+    pub(super) fn coded(&self) -> &[Flight] {
         self.treated.first().and_then(|treated| treated.last()).map_or(&[], Vec::as_slice)
     }
 
     /// The second reading.
-    pub(super) fn raw(&self) -> &[Vec<Flight>] {
-        self.treated.get(RAW).map_or(&[], Vec::as_slice)
+    pub(super) fn logged(&self) -> &[Vec<Flight>] {
+        self.treated.get(LOGGED).map_or(&[], Vec::as_slice)
     }
 }
 
@@ -121,10 +130,12 @@ fn fly(course: &Arc<Course>, one: Run) -> Result<Flight, RecordError> {
     Ok(Flight {
         samples,
         recorded,
+        stop_s: course.scenario.pilot.last().map_or(0.0, |last| last.start_s),
         launches_s: summary.launches_s,
         relays_used: summary.relays_used,
         relays_needed: summary.relays_needed,
         head_reach_m: f64::from(summary.head_reach_m),
+        head_flown_m: f64::from(summary.head_flown_m),
     })
 }
 
@@ -145,7 +156,7 @@ impl Flight {
     /// whichever is later, to the end (m). `None` without convergence, or on the ground.
     pub(super) fn spread_m(&self, relay: usize) -> Option<f64> {
         self.launches_s.get(relay)?;
-        Some(standard_deviation(&self.depths_m(relay, self.converged_s()?.max(STOP_S))))
+        Some(standard_deviation(&self.depths_m(relay, self.converged_s()?.max(self.stop_s))))
     }
 
     /// The same within windows of ten seconds at the end: what noise does, without drift (m). `None` as well if
@@ -162,6 +173,13 @@ impl Flight {
         (!windows.is_empty()).then(|| (square / windows.len() as f64).sqrt())
     }
 
+    /// Largest minus smallest true loss of the first three links in the mean of the last ten seconds (dB).
+    pub(super) fn end_spread_db(&self) -> Option<f64> {
+        let late = self.samples.iter().filter(|sample| sample.time_s >= DURATION_S - 10.0);
+        let spreads: Vec<f64> = late.map(spread_db).collect();
+        (!spreads.is_empty()).then(|| spreads.iter().sum::<f64>() / spreads.len() as f64)
+    }
+
     fn depths_m(&self, relay: usize, from_s: f64) -> Vec<f64> {
         let late = self.samples.iter().filter(|sample| sample.time_s >= from_s);
         late.filter_map(|sample| sample.depths_m.get(relay).copied()).collect()
@@ -172,9 +190,14 @@ impl Flight {
         self.launches_s.get(3).copied()
     }
 
+    /// The fourth UAV took off when the head had stopped.
+    pub(super) fn is_late_fourth(&self) -> bool {
+        self.fourth_s().is_some_and(|at_s| at_s >= self.stop_s)
+    }
+
     /// First time from the head's stop on at which the head's link is not above the threshold (s).
     pub(super) fn head_within_s(&self) -> Option<f64> {
-        let mut late = self.samples.iter().filter(|sample| sample.time_s >= STOP_S);
+        let mut late = self.samples.iter().filter(|sample| sample.time_s >= self.stop_s);
         let within = late.find(|sample| sample.true_db().next().is_some_and(|db| db <= S_MIN_DB));
         within.map(|sample| sample.time_s)
     }

@@ -189,6 +189,11 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
         "How UAVs stand at the start is not printed. Here they are in the order of the chain (UAVs cannot pass one another), \
          and in a corner each looks across it, as one does that flies round it; the last row has the other choice."
             .to_owned(),
+        format!(
+            "How starts are drawn is not printed either. Here: {RELAYS} depths, each evenly between the base and the head, in \
+             falling order, all of them again while two are within {APART_M} m of one another. So drawn, gaps of one start are \
+             more unequal than in the authors' runs, and a chain has farther to go."
+        ),
     ];
     outcome.notes.extend(in_the_corner);
     let title = "Losses of four links, one of 30 random starts each (Laclau 2021, Fig. 4A to C)".to_owned();

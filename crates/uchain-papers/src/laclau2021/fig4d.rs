@@ -7,7 +7,7 @@ use uchain_sim::{
 
 use super::{
     exploration::{
-        DURATION_S, END_S, Exploration, Flight, REPLICATES, RunsByTreatment, S_MIN_DB, STOP_S, TREATMENTS,
+        DURATION_S, END_S, Exploration, Flight, REPLICATES, RunsByTreatment, S_MIN_DB, TREATMENTS,
     },
     trace::{loss_curves, threshold},
 };
@@ -26,11 +26,11 @@ pub(crate) const FIG4D: Item = Item {
 const ABOVE_PERCENT: f64 = 1.0;
 
 pub(super) const SETUP: &str = "\
-Scenario `circuit-frontiers2021`: all UAVs at the entrance, the head flies 0.2 m/s for 50 s and stops, three relays at hand, \
-120 s, 30 runs with the same noise under each treatment. T0: raw signal. T5: raw, tolerance 5 dB. K: Kalman filter. Three \
-readings of the paper: *authors' simulator*: launches on the filtered signal under every treatment; *raw launches*: T0 and T5 \
-launch on the raw signal, as the text says; *as printed*: that, and Eq. 12 with at most 0.3 m/s in place of the authors' speed \
-law.";
+Scenario `circuit-frontiers2021`: all UAVs at the entrance, 0.13 m apart, three relays at hand, 120 s, 30 runs with the same \
+noise under each treatment. T0: raw signal. T5: raw, tolerance 5 dB. K: Kalman filter. Three readings. *Coded*: the authors' \
+simulator; launches on the filtered signal under every treatment; the head is at its final depth by 40 s (0.235 m/s), as in \
+their runs. *Logged*: the same, but T0 and T5 launch on the raw signal, as the text has it and the published run of T0 shows. \
+*Printed*: that, Eq. 12 with at most 0.3 m/s in place of the coded speed law, and a head that flies 0.2 m/s for 50 s.";
 
 fn regenerate(cache: &RunCache) -> Result<Outcome, PaperError> {
     let flown = cache.exploration()?;
@@ -60,17 +60,17 @@ fn regenerate(cache: &RunCache) -> Result<Outcome, PaperError> {
                     run.launches_s.len().to_string(),
                     cell(run.fourth_s(), 1),
                     run.relays_needed.map_or_else(String::new, |needed| needed.to_string()),
-                    format!("{:.4}", run.share_above(STOP_S)),
+                    format!("{:.4}", run.share_above(run.stop_s)),
                 ]);
             }
         }
     }
     outcome.tables.push(table);
     let axes =
-        TREATMENTS.iter().zip(flown.raw()).filter_map(|(name, runs)| Some(loss_axes(name, runs.first()?)));
+        TREATMENTS.iter().zip(flown.logged()).filter_map(|(name, runs)| Some(loss_axes(name, runs.first()?)));
     let title = "Losses in an exploration, three treatments, one run each (Laclau 2021, Fig. 4D)".to_owned();
     outcome.draw("fig4d", &Figure { title, axes: axes.collect() })?;
-    for (treatment, runs) in TREATMENTS.iter().zip(flown.raw()) {
+    for (treatment, runs) in TREATMENTS.iter().zip(flown.logged()) {
         if let Some(recorded) = runs.first().and_then(|run| run.recorded.as_ref()) {
             outcome.pictures.push((format!("fig4d-{treatment}"), recorded.picture()?));
         }
@@ -86,7 +86,7 @@ fn fourth_launches(runs: &[Flight]) -> usize {
 fn launches(treated: &RunsByTreatment, how: &str) -> Vec<Row> {
     let [t0, t5, k] = [0, 1, 2].map(|i| treated.get(i).map_or(&[][..], Vec::as_slice));
     let words = |runs: &[Flight]| {
-        let late = runs.iter().filter(|run| run.fourth_s().is_some_and(|at_s| at_s >= STOP_S)).count();
+        let late = runs.iter().filter(|run| run.is_late_fourth()).count();
         let wasteful = runs.iter().filter(|run| run.is_wasteful()).count();
         format!("{} of {} ({late} after the stop, {wasteful} unneeded)", fourth_launches(runs), runs.len())
     };
@@ -94,7 +94,7 @@ fn launches(treated: &RunsByTreatment, how: &str) -> Vec<Row> {
     let p = is_rarer_in_pairs(&launched(k), &launched(t0));
     let is_seen = t0.iter().any(|run| run.fourth_s().is_some() && run.is_wasteful());
     let above =
-        |runs: &[Flight]| -> Vec<f64> { runs.iter().map(|run| 100.0 * run.share_above(STOP_S)).collect() };
+        |runs: &[Flight]| -> Vec<f64> { runs.iter().map(|run| 100.0 * run.share_above(run.stop_s)).collect() };
     let late = |runs: &[Flight]| runs.iter().filter(|run| run.share_above(DURATION_S - END_S) > 0.0).count();
     let share = above(k).iter().sum::<f64>() / k.len() as f64;
     vec![
@@ -143,22 +143,23 @@ fn notes(flown: &Exploration) -> Vec<String> {
     let counts: Vec<String> = flown.readings().map(counts).collect();
     vec![
         format!(
-            "The head comes {} far (published: 10 m), where the best chain needs {} relays. With this project's default \
-             slowing near walls it would come {}, where the best chain needs {}; the preset slows only nearer to a wall than \
-             the middle of this corridor.",
-            reach(flown.simulated()),
-            needed(flown.simulated()),
+            "The head flies {} forward by its odometer (published: 10 m) and ends {} from the base by the shortest way, where \
+             the best chain needs {} relays. With this project's default slowing near walls it would come {}, where the best \
+             chain needs {}; the preset slows only nearer to a wall than the middle of this corridor.",
+            mean_with_interval(&flown.coded().iter().map(|run| run.head_flown_m).collect::<Vec<_>>(), 1, " m"),
+            reach(flown.coded()),
+            needed(flown.coded()),
             reach(&flown.default_slowing),
             needed(&flown.default_slowing)
         ),
-        note_on_stretching(flown.raw()),
+        note_on_stretching(flown.logged()),
         format!(
-            "The grounded next UAV measures the last link. In the authors' simulator it filters it whatever the relays do; \
-             the text speaks of a single raw value that launches. Fourth launches of {REPLICATES} runs each under T0, T5 and \
+            "The grounded next UAV measures the last link. In the authors' code it filters it whatever the relays do; the \
+             text speaks of a single raw value that launches. Fourth launches of {REPLICATES} runs each under T0, T5 and \
              K: {} (published: one run of T0, at 80 s).",
             counts.join("; ")
         ),
-        note_on_optic_flow(flown.simulated(), &flown.without_flow),
+        note_on_optic_flow(flown.coded(), &flown.without_flow),
         "Pictures are of the second reading. Dots are raw samples at a link's front end, which relays go by under T0 and T5; \
          solid lines what the filter makes of them under K."
             .to_owned(),
@@ -167,19 +168,20 @@ fn notes(flown: &Exploration) -> Vec<String> {
 
 /// Whether the chain levels faster than the head stretches it.
 fn note_on_stretching(treated: &[Vec<Flight>]) -> String {
+    let stop_s = treated.first().and_then(|runs| runs.first()).map_or(0.0, |run| run.stop_s);
     let times = |runs: &Vec<Flight>| runs.iter().filter_map(Flight::head_within_s).collect::<Vec<f64>>();
     let of = |(treatment, runs): (&&str, &Vec<Flight>)| {
         format!("{} under {treatment}", mean_with_interval(&times(runs), 1, " s"))
     };
     let words: Vec<String> = TREATMENTS.iter().zip(treated).map(of).collect();
-    let is_late = treated.iter().all(|runs| times(runs).iter().all(|within_s| *within_s > STOP_S));
+    let is_late = treated.iter().all(|runs| times(runs).iter().all(|within_s| *within_s > stop_s));
     let verdict = if is_late {
         "is stretched faster than it levels in every run: the assumption of §4.3 does not hold there"
     } else {
         "is within s_min at the stop in some runs: there the assumption of §4.3 holds"
     };
     format!(
-        "With raw launches the head's link is not above s_min any more, from the stop at {STOP_S} s on, after {}. The chain \
+        "By the second reading the head's link is not above s_min any more, from the stop at {stop_s} s on, after {}. The chain \
          {verdict}.",
         words.join(", ")
     )
@@ -203,7 +205,7 @@ fn note_on_optic_flow(with: &[Flight], without: &[Flight]) -> String {
         (fewer, "optic flow makes no difference that shows")
     };
     format!(
-        "Fourth launches of K by the authors' simulator: {} of {} runs with optic flow, {} of {} without (A = 0), McNemar \
+        "Fourth launches of K as coded: {} of {} runs with optic flow, {} of {} without (A = 0), McNemar \
          {}: {verdict}.",
         fourth_launches(with),
         with.len(),
@@ -237,10 +239,12 @@ mod tests {
         let run = |i: usize| Flight {
             samples: Vec::new(),
             recorded: None,
+            stop_s: 40.0,
             launches_s: if i < fourth { vec![0.0, 14.0, 48.0, 70.0] } else { vec![0.0, 14.0, 48.0] },
             relays_used: if i < fourth { 3 } else { 2 },
             relays_needed: Some(2),
             head_reach_m: 9.7,
+            head_flown_m: 10.0,
         };
         (0..30).map(run).collect()
     }

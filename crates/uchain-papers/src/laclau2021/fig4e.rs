@@ -7,7 +7,7 @@ use uchain_sim::{
 
 use super::{
     exploration::{
-        DURATION_S, FROM_S, Flight, LEVEL_DB, LINKS, PARKED_DB, RunsByTreatment, STOP_S, TREATMENTS,
+        DURATION_S, Exploration, FROM_S, Flight, LEVEL_DB, LINKS, PARKED_DB, RunsByTreatment, TREATMENTS,
     },
     fig4d::SETUP,
 };
@@ -72,9 +72,27 @@ fn regenerate(cache: &RunCache) -> Result<Outcome, PaperError> {
         ),
         early_levels(exploration.readings()),
     ];
+    outcome.rows.push(by_the_shortest_way(exploration));
     let title = "Time to converge, 30 runs each (Laclau 2021, Fig. 4E)".to_owned();
     outcome.draw("fig4e", &Figure { title, axes })?;
     Ok(outcome)
+}
+
+/// What the drift of odometers does to K: it levels the loss it hears, which is not that of the tunnel any more.
+fn by_the_shortest_way(flown: &Exploration) -> Row {
+    let words = |runs: &[Flight]| {
+        let spreads: Vec<f64> = runs.iter().filter_map(Flight::end_spread_db).collect();
+        let converged = runs.iter().filter(|run| run.converged_s().is_some()).count();
+        format!(
+            "{converged} of {} converge, spread at the end {}",
+            runs.len(),
+            mean_with_interval(&spreads, 1, " dB")
+        )
+    };
+    Row::fact(
+        "K, coded: the way between UAVs by the shortest one instead of odometers",
+        format!("{}; by odometers {}", words(&flown.shortest_way), words(flown.coded())),
+    )
 }
 
 /// Where K is later than T0, and whether the second relay of T0 takes off earlier there.
@@ -123,7 +141,7 @@ fn early_relays<'a>(readings: impl Iterator<Item = (&'static str, &'a RunsByTrea
 
 /// Runs that are level for a moment before the head stops, and what is left of K's delay without them.
 fn early_levels<'a>(readings: impl Iterator<Item = (&'static str, &'a RunsByTreatment)>) -> String {
-    let is_early = |run: &Flight| run.converged_s().is_some_and(|at_s| at_s < STOP_S);
+    let is_early = |run: &Flight| run.converged_s().is_some_and(|at_s| at_s < run.stop_s);
     let (mut counts, mut rest) = (Vec::new(), Vec::new());
     for (how, treated) in readings {
         let early = treated.iter().map(|runs| runs.iter().filter(|run| is_early(run)).count());
@@ -204,10 +222,12 @@ mod tests {
         Flight {
             samples: (0..600).map(|decision| sample(f64::from(decision) * 0.2)).collect(),
             recorded: None,
+            stop_s: 52.0,
             launches_s: vec![0.0, 14.0, 48.0],
             relays_used: 2,
             relays_needed: Some(2),
             head_reach_m: 9.7,
+            head_flown_m: 10.0,
         }
     }
 

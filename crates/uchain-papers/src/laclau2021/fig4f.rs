@@ -72,7 +72,7 @@ fn regenerate(cache: &RunCache) -> Result<Outcome, PaperError> {
     }
     for relay in [1, 2] {
         rows.push(Row::fact(
-            &format!("K without optic flow (A = 0), authors' simulator, relay {relay}, in 10 s, at the end"),
+            &format!("K without optic flow (A = 0), coded, relay {relay}, in 10 s, at the end"),
             counted(&end_spreads(&exploration.without_flow, relay)),
         ));
     }

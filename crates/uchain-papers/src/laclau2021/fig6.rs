@@ -39,7 +39,9 @@ const AT_LAUNCH_DB: f64 = 2.4;
 const UNEQUAL: f64 = 1.1;
 
 /// How the pilot drives is not printed: on along the circuit as far as three links of this radio reach, then hover.
-const SETS: [&str; 4] = ["chain.uavs=3", "duration_s=180", "pilot.0.speed_mps=0.2", "pilot.1.start_s=82"];
+const SETS: [&str; 4] = ["chain.uavs=3", "duration_s=180", "pilot.0.speed_mps=0.2", "pilot.1.start_s=58"];
+/// When the pilot stops (s).
+const STOP_S: f64 = 58.0;
 
 /// One run.
 struct Flown {
@@ -65,6 +67,18 @@ impl Flown {
         pairs
             .filter(|[before, now]| before.airborne > 0 && now.airborne > before.airborne)
             .filter_map(|[_, now]| now.true_db().last())
+    }
+
+    /// For each relay that took off after its link had truly passed the limit: how much later (s).
+    fn lags_s(&self) -> Vec<f64> {
+        let lag_s = |pair: &[f64]| {
+            let [from_s, launch_s] = <[f64; 2]>::try_from(pair).ok()?;
+            let mut between =
+                self.samples.iter().filter(|sample| sample.time_s >= from_s && sample.time_s <= launch_s);
+            let passed = between.find(|sample| sample.true_db().last().is_some_and(|db| db > S_MIN_DB))?;
+            Some(launch_s - passed.time_s)
+        };
+        self.launches_s.windows(2).filter_map(lag_s).collect()
     }
 
     fn end(&self) -> impl Iterator<Item = &Sample> {
@@ -115,7 +129,18 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     let runs: Vec<Flown> = each_run(experiment, fly)?.into_iter().flatten().collect();
     let mut table = Table::new(
         "fig6",
-        &["replicate", "launches", "relays_needed", "spread_db", "worst_db", "gap_0_m", "gap_1_m", "gap_2_m"],
+        &[
+            "replicate",
+            "launches",
+            "launch_1_s",
+            "launch_2_s",
+            "relays_needed",
+            "spread_db",
+            "worst_db",
+            "gap_0_m",
+            "gap_1_m",
+            "gap_2_m",
+        ],
     );
     for (replicate, run) in runs.iter().enumerate() {
         let gaps_m = run.gaps_m();
@@ -123,6 +148,8 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
         let words = [
             replicate.to_string(),
             run.launches_s.len().to_string(),
+            cell(run.launches_s.get(1).copied(), 1),
+            cell(run.launches_s.get(2).copied(), 1),
             run.relays_needed.map_or_else(String::new, |needed| needed.to_string()),
             cell(run.spread_db, 3),
             cell(run.worst_db(), 3),
@@ -132,13 +159,14 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     let mut outcome = Outcome {
         setup: format!(
             "Scenario `circuit-cavemod` (the firmware's laws, paper walls that radio does not see), head, two relays and a \
-             base; the pilot drives the head for 80 s at 0.2 m/s, then hovers; {DURATION_S} s, {REPLICATES} runs. The end \
+             base; the pilot drives the head at 0.2 m/s until {STOP_S} s, then hovers; {DURATION_S} s, {REPLICATES} runs. The end \
              is the last {END_S} s."
         ),
         rows: rows(&runs),
         notes: vec![
             "How the pilot drove is not printed; ours goes as far as three links of this radio reach. The published losses \
-             are of real antennas and are not held against ours."
+             are of real antennas and are not held against ours. The firmware's limit is 50 dB and 10 dB more for an antenna \
+             on the ground, as the base's and the waiting relay's are; when its relays took off is not printed."
                 .to_owned(),
             format!(
                 "At the limit: the mean within {AT_LAUNCH_DB} dB, twice the deviation of the filtered signal, whose first \
@@ -166,7 +194,20 @@ fn rows(runs: &[Flown]) -> Vec<Row> {
     let below = worst.iter().filter(|worst_db| **worst_db < S_MIN_DB).count();
     let ratios: Vec<f64> = whole.iter().map(|run| run.longest_over_shortest()).collect();
     let ratio_low = Estimate::of(&ratios).map_or(0.0, |ratio| ratio.interval().0);
+    let launch_s = |relay: usize| -> Vec<f64> {
+        runs.iter().filter_map(|run| run.launches_s.get(relay).copied()).collect()
+    };
+    let lags_s: Vec<f64> = runs.iter().flat_map(Flown::lags_s).collect();
+    let launches: usize = runs.iter().map(|run| run.launches_s.len().saturating_sub(1)).sum();
     vec![
+        Row::fact(
+            "take-off of relay 1 and of relay 2",
+            [1, 2].map(|relay| mean_with_interval(&launch_s(relay), 1, " s")).join("; "),
+        ),
+        Row::fact(
+            "take-offs after the last link has truly passed the limit, and how much later",
+            format!("{} of {launches}; {}", lags_s.len(), mean_with_interval(&lags_s, 1, " s")),
+        ),
         Row::claim(
             &format!("runs in which all relays launch, none in the last {QUIET_S} s"),
             "all relays",
@@ -175,7 +216,7 @@ fn rows(runs: &[Flown]) -> Vec<Row> {
         ),
         Row::claim(
             "true loss of the last link at a launch",
-            "the limit (60 dB)",
+            "the limit (50 dB in the air, 60 dB on the ground)",
             mean_with_interval(&at_launch, 2, " dB"),
             (launch_mean_db - S_MIN_DB).abs() <= AT_LAUNCH_DB,
         ),

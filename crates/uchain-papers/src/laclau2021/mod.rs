@@ -6,6 +6,7 @@ mod fig4d;
 mod fig4e;
 mod fig4f;
 mod fig6;
+mod page;
 mod trace;
 
 pub(super) use exploration::Exploration;

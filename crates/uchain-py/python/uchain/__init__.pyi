@@ -364,6 +364,7 @@ class ChainSummary(Summary):  # type: ignore[misc]
     connected_fraction: float | None
     below_limit_fraction: float | None
     head_reach_m: float
+    head_flown_m: float
     digest: str
     wall_s: float
     version: str

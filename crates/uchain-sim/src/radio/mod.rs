@@ -24,5 +24,5 @@ pub(crate) use model::finite_db;
 pub use model::{Antenna, MakeRadio, NO_LINK_DB, RadioError, RadioKind, RadioModel};
 pub use models::{MultiWall, Slopes, Visibility};
 pub use packets::PacketParams;
-pub use params::{Fading, RadioParams, Shadowing};
+pub use params::{Detour, Fading, RadioParams, Shadowing};
 pub use path_loss::PathLoss;

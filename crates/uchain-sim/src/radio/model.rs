@@ -30,6 +30,8 @@ pub struct Antenna {
     pub on_ground: bool,
     /// Which robot carries it; `None` for the base station, and for one that nobody carries yet, such as a planned one.
     pub carrier: Option<u16>,
+    /// Way that it has been carried forward so far, backward taken off (m): what an odometer shows. `None` without one.
+    pub odometer_m: Option<f32>,
 }
 
 impl Antenna {
@@ -44,6 +46,12 @@ impl Antenna {
         Self { carrier: Some(carrier), ..self }
     }
 
+    /// The same with an odometer that shows so much (m).
+    #[must_use]
+    pub fn carried_forward(self, odometer_m: f32) -> Self {
+        Self { odometer_m: Some(odometer_m), ..self }
+    }
+
     /// The same on the floor, if it is.
     #[must_use]
     pub fn on_ground(self, on_ground: bool) -> Self {
@@ -54,7 +62,7 @@ impl Antenna {
 impl From<Vec2> for Antenna {
     /// An antenna without direction, above the floor.
     fn from(at: Vec2) -> Self {
-        Self { at, heading_rad: None, on_ground: false, carrier: None }
+        Self { at, heading_rad: None, on_ground: false, carrier: None, odometer_m: None }
     }
 }
 

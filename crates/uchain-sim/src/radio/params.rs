@@ -30,6 +30,19 @@ pub enum Fading {
     Rician,
 }
 
+/// By what the way through the tunnel between two UAVs is known, for `detour_db_per_m`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Detour {
+    /// The shortest way through the map.
+    #[default]
+    Geodesic,
+    /// The difference of what both have flown forward: it drifts with every step sideways and every corner cut short.
+    /// The base's is 0, and so is a UAV's where it waits.
+    Odometer,
+}
+
 uchain_core::params! {
     /// What a link loses. Model "path-loss": `loss = L0 + 10 α log10(max(d, d0) / d0)` (Laclau 2021, Eq. 22); "disc": L0
     /// within a range, and no link beyond.
@@ -78,6 +91,10 @@ uchain_core::params! {
         /// - Equation: `loss = … + detour |tunnel distance - d|`
         /// - Source: the authors' simulator: 40 in Laclau 2021, Fig. 4D-F
         pub detour_db_per_m: f32 = 0.0, in 0.0..=1000.0;
+        /// By what the way through the tunnel is known: the shortest one, or the difference of two odometers. Antennas without
+        /// one (a place in a picture) go by the shortest way.
+        /// - Source: the authors' simulator ("odometer"); ours ("geodesic")
+        pub detour: Detour = Detour::Geodesic;
         /// Loss of an antenna that sees its partner dead ahead, behind or abeam; none at ±45° and ±135° (dB).
         /// - Source: Laclau 2021, §6.1.2; the paper gives no number
         pub antenna_db: f32 = 0.0, in 0.0..=100.0;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::Vec2;
 
-use super::{Antenna, RadioError, RadioKind, RadioModel, RadioParams, Shadowing};
+use super::{Antenna, Detour, RadioError, RadioKind, RadioModel, RadioParams, Shadowing};
 use crate::map::{Map, MapError, Ways};
 
 /// The model "path-loss".
@@ -38,6 +38,15 @@ impl PathLoss {
         p.reference_loss_db + 10.0 * alpha * libm::log10f(ratio)
     }
 
+    /// Way through the tunnel, where loss depends on it and there is one (m).
+    fn way_m(&self, map: &Map, from: &Antenna, to: &Antenna) -> Option<f32> {
+        let ways = self.ways.as_ref()?;
+        match (self.params.detour, from.odometer_m, to.odometer_m) {
+            (Detour::Odometer, Some(from_m), Some(to_m)) => Some((from_m - to_m).abs()),
+            _ => ways.distance_m(map, from.at, to.at),
+        }
+    }
+
     /// As a scenario asks for it.
     fn make(params: &RadioParams, map: &Map) -> Result<Arc<dyn RadioModel>, RadioError> {
         let made = Self::new(params.clone(), map);
@@ -61,7 +70,7 @@ impl RadioModel for PathLoss {
         };
         let straight_m = from.at.distance(to.at);
         let mut loss_db = self.by_distance_db(straight_m, alpha);
-        if let Some(way_m) = self.ways.as_ref().and_then(|ways| ways.distance_m(map, from.at, to.at)) {
+        if let Some(way_m) = self.way_m(map, from, to) {
             loss_db += p.detour_db_per_m * (way_m - straight_m).abs();
         }
         if p.antenna_db > 0.0 {

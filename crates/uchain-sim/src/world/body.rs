@@ -25,6 +25,8 @@ pub struct Body {
     pub(super) forward: Vec2,
     /// Yaw rate (rad/s); 0 for one that flies to waypoints.
     pub yaw_rate_radps: f32,
+    /// Way flown forward since the start, backward taken off (m): what an odometer without a fault shows.
+    pub forward_m: f64,
     /// In the air. On the ground a body does not move and is in nobody's way.
     pub airborne: bool,
     /// Share of the charge of its battery that is left (0 to 1); `None` without one that is measured. Nothing drains it yet
@@ -53,6 +55,7 @@ impl Body {
             heading_rad,
             forward: unit(heading_rad),
             yaw_rate_radps: 0.0,
+            forward_m: 0.0,
             airborne: kinematic,
             battery: None,
             kinematic,
@@ -108,6 +111,13 @@ impl Body {
         if self.heading_rad != there.heading_rad {
             self.heading_rad = there.heading_rad;
             self.forward = unit(there.heading_rad);
+        }
+    }
+
+    /// Counts the way of a tick, before the body turns.
+    pub(super) fn roll(&mut self, tick_s: f32) {
+        if self.airborne {
+            self.forward_m += f64::from(self.forward_mps() * tick_s);
         }
     }
 

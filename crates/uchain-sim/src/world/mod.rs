@@ -297,6 +297,7 @@ impl World {
             }
             contacts.advance(&self.map, &self.neighbours, &mut self.bodies);
             for body in &mut self.bodies {
+                body.roll(TICK_S);
                 body.turn(TICK_S);
             }
         }

@@ -20,7 +20,13 @@ impl NodeParams {
         Self {
             equalize: EqualizeParams { law: SpeedLaw::InverseModel, v_max_mps: 0.375, ..plain.equalize },
             center: CenterParams { law: CenterLaw::Paper, slow_over_m: 0.25, ..plain.center },
-            takeoff: TakeoffParams { launch_hold_s: 0.0, ..plain.takeoff },
+            takeoff: TakeoffParams {
+                launch_hold_s: 0.0,
+                after_previous_s: 0.0,
+                rise_s: 0.0,
+                hover_s: 0.0,
+                ..plain.takeoff
+            },
             link: LinkParams {
                 gap: Gap::Hold,
                 base_flow: false,

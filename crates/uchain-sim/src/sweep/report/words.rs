@@ -3,7 +3,7 @@
 use crate::registry::Registry;
 
 /// Numbers of the summaries whose names alone do not say it.
-const KNOWN: [(&str, &str); 35] = [
+const KNOWN: [(&str, &str); 36] = [
     ("launches", "launches"),
     ("uavs", "UAVs in the air at the end"),
     ("sim_s", "length of the run (s)"),
@@ -20,6 +20,7 @@ const KNOWN: [(&str, &str); 35] = [
     ("connected_fraction", "share of the time connected (0 to 1)"),
     ("below_limit_fraction", "share of the time within reception (0 to 1)"),
     ("head_reach_m", "how far the head came (m)"),
+    ("head_flown_m", "how far the head flew forward (m)"),
     ("robots", "robots"),
     ("iterations", "rounds"),
     ("nodes_total", "nodes of the graph"),

@@ -117,7 +117,10 @@ impl<B: Law> Brains<B> {
         let course = &*self.course;
         let antenna = |i: usize| {
             let body = &world.bodies()[i];
-            Antenna::flying(body.at, body.heading_rad()).on_ground(!body.airborne).carried_by(i as u16)
+            Antenna::flying(body.at, body.heading_rad())
+                .on_ground(!body.airborne)
+                .carried_by(i as u16)
+                .carried_forward(body.forward_m as f32)
         };
         let base = course.base_antenna();
         let mut transfer = |from: u16, to: u16, side: Option<Side>, true_db, packet| {

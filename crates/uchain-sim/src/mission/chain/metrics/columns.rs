@@ -4,7 +4,7 @@ use super::{LinkSummary, Summary};
 use crate::analyse::{Cell, Field, Kind};
 
 /// What a chain came to.
-pub(in super::super) const COLUMNS: [Field<Summary>; 21] = [
+pub(in super::super) const COLUMNS: [Field<Summary>; 22] = [
     ("sim_s", Kind::Number, |s| s.sim_s.into()),
     ("launches_s", Kind::Numbers, |s| Cell::list(s.launches_s.iter().copied())),
     ("launches", Kind::Count, |s| s.launches_s.len().into()),
@@ -23,6 +23,7 @@ pub(in super::super) const COLUMNS: [Field<Summary>; 21] = [
     ("connected_fraction", Kind::Number, |s| s.connected_fraction.into()),
     ("below_limit_fraction", Kind::Number, |s| s.below_limit_fraction.into()),
     ("head_reach_m", Kind::Single, |s| s.head_reach_m.into()),
+    ("head_flown_m", Kind::Single, |s| s.head_flown_m.into()),
     ("outcome", Kind::Text, |s| s.verdict.outcome().word().into()),
     ("verdict", Kind::Text, |s| s.verdict.to_string().as_str().into()),
     ("digest", Kind::Text, |s| s.digest.as_str().into()),

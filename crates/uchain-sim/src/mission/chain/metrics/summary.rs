@@ -61,6 +61,9 @@ pub struct Summary {
     pub below_limit_fraction: Option<f64>,
     /// Farthest tunnel distance of the head from the base (m), on the ground too.
     pub head_reach_m: f32,
+    /// Longest way of the head forward from where it waited, backward taken off, by an odometer without a fault (m). In bends
+    /// it is more than [`Self::head_reach_m`], the shortest way.
+    pub head_flown_m: f32,
     /// Hash over every bit of every UAV's pose, velocity and contacts at every tick, and of every link at every
     /// decision, 16 hex digits.
     pub digest: String,

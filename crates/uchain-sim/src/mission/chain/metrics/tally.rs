@@ -49,6 +49,9 @@ pub struct Metrics {
     is_heard_known: bool,
     worst_link_db: Option<f32>,
     head_reach_m: f32,
+    /// Way that the head has flown forward, now and at most (m).
+    head_forward_m: f64,
+    head_flown_m: f64,
 }
 
 /// A decision that may be one of the last.
@@ -82,6 +85,8 @@ impl Metrics {
             is_heard_known: true,
             worst_link_db: None,
             head_reach_m: 0.0,
+            head_forward_m: 0.0,
+            head_flown_m: 0.0,
             course,
         }
     }
@@ -138,6 +143,7 @@ impl Metrics {
             connected_fraction: share(self.connected).filter(|_| self.is_heard_known),
             below_limit_fraction: share(self.below_limit),
             head_reach_m: self.head_reach_m,
+            head_flown_m: self.head_flown_m as f32,
             digest,
         }
     }
@@ -150,6 +156,14 @@ impl Metrics {
     /// Whether the head is in the air.
     fn head_flies(&self) -> bool {
         self.airborne.first().is_some_and(|airborne| *airborne)
+    }
+
+    /// The head's way of one tick, by its own odometer.
+    fn roll(&mut self, frame: &Frame) {
+        if let Some(head) = frame.uavs.get(frame.leader).filter(|head| head.airborne) {
+            self.head_forward_m += f64::from(head.forward_mps) / TICKS_PER_S;
+            self.head_flown_m = self.head_flown_m.max(self.head_forward_m);
+        }
     }
 
     /// Who has left the ground and who has come down since the last frame.
@@ -235,6 +249,7 @@ impl Recorder<Frame> for Metrics {
         self.time_s = frame.time_s();
         self.decided_s = frame.decided_s();
         self.take_offs(frame);
+        self.roll(frame);
         self.head.look(frame, &self.course);
         self.wall_contacts = frame.uavs.iter().map(|uav| uav.wall_contacts).sum();
         self.uav_contacts = frame.uavs.iter().map(|uav| uav.uav_contacts).sum::<u32>() / 2;

@@ -74,6 +74,7 @@ fn flight_of(course: &Course, n: usize, every_s: f32, seconds: u64) -> (History,
         connected_fraction: Some(1.0),
         below_limit_fraction: Some(1.0),
         head_reach_m: 11.0,
+        head_flown_m: 11.2,
         digest: "0".repeat(16),
     };
     (history, summary)

@@ -276,9 +276,11 @@ impl Course {
         Arc::new(course)
     }
 
-    /// The base's antenna.
+    /// The base's antenna, which has not been carried anywhere.
     pub fn base_antenna(&self) -> Antenna {
-        Antenna::from(self.base).on_ground(self.scenario.chain.base_height_m < ON_GROUND_M)
+        Antenna::from(self.base)
+            .on_ground(self.scenario.chain.base_height_m < ON_GROUND_M)
+            .carried_forward(0.0)
     }
 
     /// What a link loses, noise off (dB); always a number.
@@ -303,7 +305,7 @@ impl Course {
     pub(crate) fn antenna_at(&self, depth_m: f64) -> Option<Antenna> {
         let (at, heading_rad) = self.tunnel.as_ref()?.at(depth_m);
         Some(if depth_m > 0.0 {
-            Antenna::flying(at, heading_rad)
+            Antenna::flying(at, heading_rad).carried_forward(depth_m as f32)
         } else {
             Antenna { at, ..self.base_antenna() }
         })
