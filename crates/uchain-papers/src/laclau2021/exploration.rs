@@ -58,12 +58,13 @@ pub(super) type RunsByTreatment = Vec<Vec<Flight>>;
 /// Readings of what was flown: their names, whether T0 and T5 launch on the raw signal, and further settings.
 const READINGS: [(&str, bool, &[&str]); 3] =
     [("coded", false, &[]), ("logged", true, &[]), ("printed", true, PRINTED)];
-/// Eq. 12, its largest speed and the head's way as the text prints them.
+/// Eq. 12, its largest speed, the head's way and Eq. 22, without a detour, as the text prints them.
 pub(super) const PRINTED: &[&str] = &[
     "equalize.law=\"lipschitz\"",
     "equalize.v_max_mps=0.3",
     "pilot.0.speed_mps=0.2",
     "pilot.1.start_s=50",
+    "radio.detour_db_per_m=0",
 ];
 /// Place of the second one.
 const LOGGED: usize = 1;
@@ -173,10 +174,10 @@ impl Flight {
         (!windows.is_empty()).then(|| (square / windows.len() as f64).sqrt())
     }
 
-    /// Largest minus smallest true loss of the first three links in the mean of the last ten seconds (dB).
+    /// Largest minus smallest true loss of the links that are flown, in the mean of the last ten seconds (dB).
     pub(super) fn end_spread_db(&self) -> Option<f64> {
         let late = self.samples.iter().filter(|sample| sample.time_s >= DURATION_S - 10.0);
-        let spreads: Vec<f64> = late.map(spread_db).collect();
+        let spreads: Vec<f64> = late.map(|sample| spread(sample.true_db())).collect();
         (!spreads.is_empty()).then(|| spreads.iter().sum::<f64>() / spreads.len() as f64)
     }
 

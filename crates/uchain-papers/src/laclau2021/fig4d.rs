@@ -30,7 +30,8 @@ Scenario `circuit-frontiers2021`: all UAVs at the entrance, 0.13 m apart, three 
 noise under each treatment. T0: raw signal. T5: raw, tolerance 5 dB. K: Kalman filter. Three readings. *Coded*: the authors' \
 simulator; launches on the filtered signal under every treatment; the head is at its final depth by 40 s (0.235 m/s), as in \
 their runs. *Logged*: the same, but T0 and T5 launch on the raw signal, as the text has it and the published run of T0 shows. \
-*Printed*: that, Eq. 12 with at most 0.3 m/s in place of the coded speed law, and a head that flies 0.2 m/s for 50 s.";
+*Printed*: that, Eq. 12 with at most 0.3 m/s in place of the coded speed law, Eq. 22 without the coded detour by odometers, \
+and a head that flies 0.2 m/s for 50 s.";
 
 fn regenerate(cache: &RunCache) -> Result<Outcome, PaperError> {
     let flown = cache.exploration()?;
@@ -93,8 +94,9 @@ fn launches(treated: &RunsByTreatment, how: &str) -> Vec<Row> {
     let launched = |runs: &[Flight]| runs.iter().map(|run| run.fourth_s().is_some()).collect::<Vec<_>>();
     let p = is_rarer_in_pairs(&launched(k), &launched(t0));
     let is_seen = t0.iter().any(|run| run.fourth_s().is_some() && run.is_wasteful());
-    let above =
-        |runs: &[Flight]| -> Vec<f64> { runs.iter().map(|run| 100.0 * run.share_above(run.stop_s)).collect() };
+    let above = |runs: &[Flight]| -> Vec<f64> {
+        runs.iter().map(|run| 100.0 * run.share_above(run.stop_s)).collect()
+    };
     let late = |runs: &[Flight]| runs.iter().filter(|run| run.share_above(DURATION_S - END_S) > 0.0).count();
     let share = above(k).iter().sum::<f64>() / k.len() as f64;
     vec![

@@ -84,7 +84,7 @@ fn by_the_shortest_way(flown: &Exploration) -> Row {
         let spreads: Vec<f64> = runs.iter().filter_map(Flight::end_spread_db).collect();
         let converged = runs.iter().filter(|run| run.converged_s().is_some()).count();
         format!(
-            "{converged} of {} converge, spread at the end {}",
+            "{converged} of {} converge, spread of the links flown at the end {}",
             runs.len(),
             mean_with_interval(&spreads, 1, " dB")
         )
