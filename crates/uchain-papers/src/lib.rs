@@ -30,6 +30,7 @@ mod formal;
 mod kim2021;
 mod laclau2021;
 mod outcome;
+mod radio;
 mod report;
 
 use std::sync::OnceLock;
@@ -131,4 +132,6 @@ pub const ITEMS: &[Item] = &[
     kim2021::TABLE1,
     formal::FORMAL,
     ablations::ABLATIONS,
+    radio::MODELS,
+    radio::SHADOWING,
 ];

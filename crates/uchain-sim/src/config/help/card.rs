@@ -44,8 +44,9 @@ fn card(key: &Explanation) -> String {
         if written.is_empty() {
             line(name, "none writes it");
         }
-        for (i, Written { by, value }) in written.iter().enumerate() {
-            line(if i == 0 { name } else { "" }, &format!("{by}: {value}"));
+        for (i, Written { by, value, source }) in written.iter().enumerate() {
+            let source = source.as_ref().map(|source| format!(" ({source})")).unwrap_or_default();
+            line(if i == 0 { name } else { "" }, &format!("{by}: {value}{source}"));
         }
     }
     if let Some(value) = example(key) {

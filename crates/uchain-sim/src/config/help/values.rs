@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::super::{PRESETS, builtin, builtin_names};
+use super::super::{PRESETS, Preset, builtin, builtin_names};
 
 /// What somebody wrote at a key.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -11,10 +11,30 @@ pub struct Written {
     pub by: &'static str,
     /// The value in TOML, shortened if it is long; of a list of tables the values in all its entries.
     pub value: String,
+    /// Where a preset has it from: the comment behind it.
+    pub source: Option<String>,
 }
 
 pub(super) fn in_presets(path: &str) -> Vec<Written> {
-    PRESETS.iter().filter_map(|preset| written(preset.name, preset.text, path)).collect()
+    let of = |preset: &Preset| {
+        Some(Written { source: comment(preset.text, path), ..written(preset.name, preset.text, path)? })
+    };
+    PRESETS.iter().filter_map(of).collect()
+}
+
+/// What is said behind a value, on its line.
+fn comment(text: &str, path: &str) -> Option<String> {
+    let mut table = "";
+    for line in text.lines().map(str::trim) {
+        if let Some(heading) = line.strip_prefix('[').and_then(|line| line.strip_suffix(']')) {
+            table = heading;
+        } else if let Some((key, rest)) = line.split_once('=')
+            && path.strip_prefix(table).and_then(|path| path.strip_prefix('.')) == Some(key.trim())
+        {
+            return rest.split_once(" # ").map(|(_, comment)| comment.trim().to_owned());
+        }
+    }
+    None
 }
 
 pub(super) fn in_scenarios(path: &str) -> Vec<Written> {
@@ -29,7 +49,7 @@ fn written(by: &'static str, text: &str, path: &str) -> Option<Written> {
     let steps: Vec<&str> = path.split('.').collect();
     follow(&table, &steps, &mut found);
     let values: Vec<String> = found.into_iter().map(|value| shortened(&value.to_string())).collect();
-    (!values.is_empty()).then(|| Written { by, value: values.join(", ") })
+    (!values.is_empty()).then(|| Written { by, value: values.join(", "), source: None })
 }
 
 fn follow<'v>(value: &'v toml::Value, steps: &[&str], found: &mut Vec<&'v toml::Value>) {

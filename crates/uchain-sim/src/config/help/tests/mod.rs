@@ -3,7 +3,7 @@ mod missions;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
-    super::{ConfigError, KnownKeys, Source, builtin, keys::join},
+    super::{ConfigError, KnownKeys, PRESETS, Source, builtin, keys::join},
     Explanation,
     schema::entries,
 };
@@ -222,4 +222,26 @@ fn an_explanation_says_who_writes_the_key() {
     assert_eq!(written("v_max_mps").0, ["cavemod 0.3", "frontiers2021 0.375"]);
     assert_eq!(written("follow_distance_m").1, ["stata 0.8"]);
     assert!(written("speed_mps").1.contains(&"corner 0.2, 0.0".to_owned()));
+}
+
+/// Nobody has to take a preset's number on trust.
+#[test]
+fn every_value_of_every_preset_says_where_it_is_from() {
+    const SOURCES: [&str; 4] = ["the authors' simulator", "the authors' firmware", "Laclau 2021, ", "ours: "];
+    let all = explain("").unwrap();
+    for preset in PRESETS {
+        let table: toml::Table = preset.text.parse().unwrap();
+        let values = table.values().filter_map(toml::Value::as_table).map(toml::Table::len).sum::<usize>();
+        let written = all.iter().flat_map(|key| &key.presets).filter(|written| written.by == preset.name);
+        let sources: Vec<&str> = written.filter_map(|written| written.source.as_deref()).collect();
+        assert_eq!(sources.len(), values, "{}: a value without a comment", preset.name);
+        let unknown: Vec<&&str> =
+            sources.iter().filter(|source| !SOURCES.iter().any(|known| source.starts_with(known))).collect();
+        assert!(unknown.is_empty(), "{}: {unknown:?}", preset.name);
+    }
+    let head = &explain("link.head_stop_db").unwrap()[0];
+    assert!(
+        head.to_string().contains("cavemod: 65.0 (the authors' firmware: one threshold for all)"),
+        "{head}"
+    );
 }
