@@ -26,7 +26,7 @@ impl Course {
         let s_min_db = self.scenario.takeoff.s_min_db;
         let chain = &self.scenario.chain;
         let loss_db = |spawn: &Spawn| {
-            let from = Antenna::flying(spawn.at, spawn.heading_rad).on_ground(true).carried_forward(0.0);
+            let from = Antenna::flying(spawn.at, spawn.heading_rad).carried_forward(0.0);
             self.loss_db(&from, &self.base_antenna())
         };
         let head = self.spawns.first().filter(|head| chain.uavs > 1 && loss_db(head) > s_min_db)?;
