@@ -103,6 +103,16 @@ fn a_field_is_normal_as_far_as_a_sum_of_64_waves_is_and_ends_at_its_most() {
 }
 
 #[test]
+fn a_cosine_of_turns_is_that_of_the_library() {
+    for i in -4_000..4_000 {
+        let turns = 0.000_831 * f64::from(i);
+        let expected = libm::cos(TAU * turns) as f32;
+        assert!((cos_of_turns(turns) - expected).abs() < 1e-6, "{turns}");
+        assert_eq!(cos_of_turns(turns).to_bits(), cos_of_turns(-turns).to_bits());
+    }
+}
+
+#[test]
 fn a_link_takes_microseconds() {
     let field = Field::new(Seed(1), C_M);
     let before = std::time::Instant::now();
