@@ -111,17 +111,3 @@ fn a_cosine_of_turns_is_that_of_the_library() {
         assert_eq!(cos_of_turns(turns).to_bits(), cos_of_turns(-turns).to_bits());
     }
 }
-
-#[test]
-fn a_link_takes_microseconds() {
-    let field = Field::new(Seed(1), C_M);
-    let before = std::time::Instant::now();
-    let sum: f32 =
-        (0..10_000).map(|i| field.at(Vec2::new(i as f32, 1.0), Vec2::new(3.0, 0.1 * i as f32))).sum();
-    println!("{:?} a link ({sum})", before.elapsed() / 10_000);
-    let before = std::time::Instant::now();
-    for i in 0..1_000 {
-        std::hint::black_box(Field::new(Seed(i), C_M));
-    }
-    println!("{:?} a field", before.elapsed() / 1_000);
-}
