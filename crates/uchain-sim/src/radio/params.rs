@@ -2,9 +2,9 @@
 
 use uchain_core::params::OutOfRange;
 
-use super::PathLoss;
 #[cfg(feature = "schema")]
 use super::RadioKind;
+use super::{Disc, MultiWall, PathLoss, Slopes, Visibility};
 
 /// How rock in the way raises the exponent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
@@ -256,12 +256,50 @@ impl RadioParams {
         20.0 * libm::log10f(self.frequency_mhz) - 27.552
     }
 
-    /// What one should know of the table before a start: a range that the model does not go by.
+    /// What one should know of the table before a start: values that the model does not go by.
     pub fn note(&self) -> Option<String> {
-        let range_m = self.range_m.filter(|_| is_path_loss(&self.model))?;
-        Some(format!(
-            "radio.range_m = {range_m}: the model \"{}\" has no range; try --set radio.model=disc",
-            PathLoss::WORD
-        ))
+        if let Some(range_m) = self.range_m.filter(|_| is_path_loss(&self.model)) {
+            return Some(format!(
+                "radio.range_m = {range_m}: the model \"{}\" has no range; try --set radio.model=disc",
+                PathLoss::WORD
+            ));
+        }
+        let model = self.model.as_str();
+        let own: &[&str] = match model {
+            PathLoss::WORD => {
+                &["shadowing", "alpha_free", "alpha_wall", "alpha_step", "detour_db_per_m", "antenna_db"]
+            }
+            Disc::WORD => &[],
+            Slopes::LOG_DISTANCE => &["align", "exponent"],
+            Slopes::P1238 => &["align", "frequency_mhz", "p1238_n"],
+            Slopes::TWO_SLOPE => &["align", "exponent", "frequency_mhz", "break_m", "exponent_far"],
+            MultiWall::WORD => &["align", "frequency_mhz", "wall_light_db", "wall_heavy_db"],
+            Visibility::WORD => &["align", "exponent", "exponent_per_cost", "cost_max"],
+            // What a model of a program's own goes by is its own business.
+            _ => return None,
+        };
+        let (p, by_default) = (self, Self::default());
+        let other = [
+            ("shadowing", p.shadowing != by_default.shadowing),
+            ("alpha_free", p.alpha_free != by_default.alpha_free),
+            ("alpha_wall", p.alpha_wall != by_default.alpha_wall),
+            ("alpha_step", p.alpha_step != by_default.alpha_step),
+            ("detour_db_per_m", p.detour_db_per_m != by_default.detour_db_per_m),
+            ("antenna_db", p.antenna_db != by_default.antenna_db),
+            ("align", p.align != by_default.align),
+            ("exponent", p.exponent != by_default.exponent),
+            ("frequency_mhz", p.frequency_mhz != by_default.frequency_mhz),
+            ("p1238_n", p.p1238_n != by_default.p1238_n),
+            ("break_m", p.break_m != by_default.break_m),
+            ("exponent_far", p.exponent_far != by_default.exponent_far),
+            ("wall_light_db", p.wall_light_db != by_default.wall_light_db),
+            ("wall_heavy_db", p.wall_heavy_db != by_default.wall_heavy_db),
+            ("exponent_per_cost", p.exponent_per_cost != by_default.exponent_per_cost),
+            ("cost_max", p.cost_max != by_default.cost_max),
+        ];
+        let unused = other.iter().filter(|(key, is_set)| *is_set && !own.contains(key));
+        let unused: Vec<String> = unused.map(|(key, _)| format!("radio.{key}")).collect();
+        (!unused.is_empty())
+            .then(|| format!("{}: the model \"{model}\" does not go by it", unused.join(", ")))
     }
 }

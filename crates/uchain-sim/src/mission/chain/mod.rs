@@ -206,7 +206,7 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
         };
         let mut chain = Self {
             world,
-            brains: Brains::new(course.clone(), Seed(seed)),
+            brains: Brains::new(&course, Seed(seed)),
             steering: Steering::default(),
             senses,
             trail: Trail::default(),

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use glam::Vec2;
+use uchain_core::bounded;
 
 use crate::{
     map::Map,
@@ -47,7 +48,7 @@ impl Antennas {
 
     fn draw(&self, seed: Seed, carrier: u16) -> Drawn {
         let mut stream = seed.stream(carrier.into(), Source::Antenna);
-        let offset_db = self.offset_db * stream.normal().clamp(-MOST, MOST);
+        let offset_db = self.offset_db * bounded(stream.normal(), -MOST, MOST);
         let waves = [(); WAVES].map(|()| [stream.normal(), stream.normal()]);
         // Turned once around, every pattern has the deviation asked for, and mean 0.
         let power: f32 = waves.iter().map(|[a, b]| 0.5 * (a * a + b * b)).sum();

@@ -13,7 +13,7 @@ const SOFT_ENDS: f32 = 11.0;
 #[derive(Debug)]
 pub(super) struct Noise {
     streams: LinkStreams,
-    noise: Law,
+    law: Law,
     /// By how much a measured loss falls short of the true one at most (dB).
     best_db: f32,
     drop_rate: f32,
@@ -67,11 +67,11 @@ impl Noise {
     /// Room for so many receivers.
     pub(super) fn new(seed: Seed, receivers: u16, radio: &RadioParams, params: &PacketParams) -> Self {
         let sources = [Source::RadioBack, Source::RadioFront, Source::RadioPair];
-        let noise = Law::of(radio);
+        let law = Law::of(radio);
         Self {
             streams: LinkStreams::new(seed, receivers, sources),
-            noise,
-            best_db: noise.best_db(),
+            law,
+            best_db: law.best_db(),
             drop_rate: params.drop_rate,
             limit_db: params.limit_db,
             soft_db: params.soft_db,
@@ -96,10 +96,10 @@ impl<P> Channel<P> for Noise {
         if link.side.is_none() && loss_db - self.best_db >= ends_db {
             return None;
         }
-        let noise = self.noise;
+        let law = self.law;
         let stream = self.streams.of(link, tick);
         // As many draws, whatever happens: what arrives moves nobody's draws.
-        let loss_db = loss_db + noise.db(stream);
+        let loss_db = loss_db + law.db(stream);
         let draw = stream.uniform();
         self.arrives(loss_db, draw).then_some(Received { from: link.from, loss_db, payload })
     }

@@ -249,7 +249,7 @@ fn a_reading_comes_in_steps_no_better_than_the_least_and_off_by_the_receivers_ow
 #[test]
 fn a_soft_limit_loses_half_at_the_limit_and_as_the_logistic_curve_has_it_around() {
     let share = |soft_db: f32, drop_rate: f32, link, loss_db: f32| {
-        let packets = PacketParams { soft_db, drop_rate, ..PacketParams::default() };
+        let packets = PacketParams { drop_rate, soft_db, ..PacketParams::default() };
         let still = RadioParams { sigma_db: 0.0, ..RadioParams::default() };
         let mut channel = channel(Seed(1), 0, &still, &packets, &FaultConfig::default());
         (0..20_000).filter(|&tick| hear(&mut channel, tick, link, loss_db).is_some()).count() as f64

@@ -65,7 +65,7 @@ impl MultiWall {
         let has = |word: &&str| {
             name.as_bytes().windows(word.len()).any(|at| at.eq_ignore_ascii_case(word.as_bytes()))
         };
-        if LIGHT.iter().any(|word| has(&word)) { self.light_db } else { self.heavy_db }
+        if LIGHT.iter().any(has) { self.light_db } else { self.heavy_db }
     }
 }
 

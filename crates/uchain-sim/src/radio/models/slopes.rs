@@ -49,7 +49,7 @@ impl Slopes {
         ),
     ];
 
-    /// Gazebo's loss at a metre (dB): `l0` of RFComms.
+    /// Gazebo's loss at a metre (dB): `l0` of `RFComms`.
     const GAZEBO_DB: f32 = 40.0;
 
     /// As a scenario asks for it.
@@ -97,7 +97,7 @@ impl Slopes {
     /// Loss over a distance (dB).
     pub(super) fn db(&self, apart_m: f32) -> f32 {
         // What is no distance is none that reaches.
-        if !(apart_m <= self.range_m) {
+        if apart_m.is_nan() || apart_m > self.range_m {
             return NO_LINK_DB;
         }
         let (at_m, at_db) = self.known;

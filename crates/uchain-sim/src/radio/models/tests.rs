@@ -90,8 +90,8 @@ fn each_wall_costs_what_it_is_made_of_whatever_its_thickness() {
             .unwrap();
     let params = of("multi-wall");
     let model = make(&params, &map);
-    let loss_db = |from: [f32; 2], to: [f32; 2]| {
-        let [a, b]: [Antenna; 2] = [from, to].map(|at| Vec2::from(at).into());
+    let loss_db = |from: [f64; 2], to: [f64; 2]| {
+        let [a, b]: [Antenna; 2] = [from, to].map(|at| map.to_local(at).into());
         let there_db = model.loss_db(&map, &a, &b);
         assert_eq!(there_db.to_bits(), model.loss_db(&map, &b, &a).to_bits());
         there_db
@@ -114,8 +114,8 @@ fn a_link_costs_more_exponent_for_each_tile_on_its_way_in_the_subt_simulator() {
     ]);
     let params = RadioParams { align: false, ..of("visibility") };
     let model = make(&params, &map);
-    let loss_db = |from_m: f32, to_m: f32| {
-        let [a, b]: [Antenna; 2] = [from_m, to_m].map(|x_m| Vec2::new(x_m, 4.0).into());
+    let loss_db = |from_m: f64, to_m: f64| {
+        let [a, b]: [Antenna; 2] = [from_m, to_m].map(|x_m| map.to_local([x_m, 4.0]).into());
         let there_db = model.loss_db(&map, &a, &b);
         assert_eq!(there_db.to_bits(), model.loss_db(&map, &b, &a).to_bits());
         there_db

@@ -46,7 +46,7 @@ pub(super) struct Brains<B> {
 
 impl<B: Law> Brains<B> {
     /// All UAVs on the ground.
-    pub(super) fn new(course: Arc<Course>, seed: Seed) -> Self {
+    pub(super) fn new(course: &Arc<Course>, seed: Seed) -> Self {
         let scenario = &course.scenario;
         let count = course.spawns.len();
         let dead = &scenario.faults.dead;
@@ -59,7 +59,7 @@ impl<B: Law> Brains<B> {
         let mut brains = Self {
             nodes: Vec::with_capacity(count),
             members: Members::new(count),
-            radio: radio_of(&course, seed),
+            radio: radio_of(course, seed),
             base: LinkEnd::new(End::Rear),
             said: Vec::with_capacity(count),
             fails_s,
@@ -71,7 +71,7 @@ impl<B: Law> Brains<B> {
             level_mps: Vec::with_capacity(count),
             course: course.clone(),
         };
-        brains.reset(&course, seed);
+        brains.reset(course, seed);
         brains
     }
 

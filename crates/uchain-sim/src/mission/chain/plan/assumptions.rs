@@ -3,7 +3,11 @@
 use serde::Serialize;
 
 use super::{PlanOptions, clock::Clock};
-use crate::{config::MapConfig, mission::chain::Course, radio::PathLoss};
+use crate::{
+    config::MapConfig,
+    mission::chain::Course,
+    radio::{MultiWall, PathLoss, RadioParams, Slopes, Visibility},
+};
 
 /// Everything a plan stands on.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -64,6 +68,45 @@ pub struct RadioAssumed {
     pub antenna_db: f64,
     /// `radio.sigma_db`, which is left out.
     pub sigma_db: f64,
+    /// What a model goes by that is neither "path-loss" nor "disc", in words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub goes_by: Option<String>,
+    /// What becomes of `radio.sigma_static_db`, in words, where there is any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub in_place: Option<String>,
+}
+
+/// What a model goes by that is neither "path-loss" nor "disc".
+fn goes_by(radio: &RadioParams) -> Option<String> {
+    let known = if radio.align {
+        format!("{} dB at {} m", radio.reference_loss_db, radio.reference_m)
+    } else {
+        "its own loss at 1 m".to_owned()
+    };
+    let more = match radio.model.as_str() {
+        Slopes::LOG_DISTANCE => format!("exponent {}", radio.exponent),
+        Slopes::P1238 => format!("{} dB a decade", radio.p1238_n),
+        Slopes::TWO_SLOPE => {
+            format!("exponent {} to {} m and {} beyond", radio.exponent, radio.break_m, radio.exponent_far)
+        }
+        MultiWall::WORD => format!(
+            "free space, {} dB a light wall and {} dB a heavy one",
+            radio.wall_light_db, radio.wall_heavy_db
+        ),
+        Visibility::WORD => format!(
+            "exponent {}, {} more for each unit of cost, no link beyond {}",
+            radio.exponent, radio.exponent_per_cost, radio.cost_max
+        ),
+        _ => return None,
+    };
+    Some(format!("{known}, {more}"))
+}
+
+fn in_place(radio: &RadioParams) -> Option<String> {
+    (radio.sigma_static_db > 0.0).then(|| match radio.shadowing_seed {
+        Some(seed) => format!("what stays in place ({} dB) as seed {seed} has it", radio.sigma_static_db),
+        None => format!("what stays in place ({} dB) left out", radio.sigma_static_db),
+    })
 }
 
 /// How fast the head is.
@@ -126,6 +169,8 @@ impl Assumptions {
                 detour_db_per_m: decimal(radio.detour_db_per_m),
                 antenna_db: decimal(radio.antenna_db),
                 sigma_db: decimal(radio.sigma_db),
+                goes_by: goes_by(radio),
+                in_place: in_place(radio),
             },
             s_min_db: decimal(scenario.takeoff.s_min_db),
             head: HeadAssumed {

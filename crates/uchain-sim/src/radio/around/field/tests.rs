@@ -103,15 +103,11 @@ fn a_field_is_normal_as_far_as_a_sum_of_64_waves_is_and_ends_at_its_most() {
 }
 
 #[test]
-fn a_link_takes_microseconds() {
-    let field = Field::new(Seed(1), C_M);
-    let before = std::time::Instant::now();
-    let sum: f32 =
-        (0..10_000).map(|i| field.at(Vec2::new(i as f32, 1.0), Vec2::new(3.0, 0.1 * i as f32))).sum();
-    println!("{:?} a link ({sum})", before.elapsed() / 10_000);
-    let before = std::time::Instant::now();
-    for i in 0..1_000 {
-        std::hint::black_box(Field::new(Seed(i), C_M));
+fn a_cosine_of_turns_is_that_of_the_library() {
+    for i in -4_000..4_000 {
+        let turns = 0.000_831 * f64::from(i);
+        let expected = libm::cos(TAU * turns) as f32;
+        assert!((cos_of_turns(turns) - expected).abs() < 1e-6, "{turns}");
+        assert_eq!(cos_of_turns(turns).to_bits(), cos_of_turns(-turns).to_bits());
     }
-    println!("{:?} a field", before.elapsed() / 1_000);
 }

@@ -27,6 +27,9 @@ pub(super) fn assumptions(plan: &Plan) -> String {
     }
     let radio = &assumed.radio;
     let mut words = match radio.range_m {
+        _ if radio.goes_by.is_some() => {
+            format!("{}: {}", radio.model, radio.goes_by.as_deref().unwrap_or_default())
+        }
         Some(range_m) => {
             format!("{}: {} dB within {range_m} m, nothing beyond", radio.model, radio.reference_loss_db)
         }
@@ -40,6 +43,9 @@ pub(super) fn assumptions(plan: &Plan) -> String {
     }
     if radio.antenna_db > 0.0 {
         let _ = write!(words, ", antennas that lose up to {} dB", radio.antenna_db);
+    }
+    if let Some(in_place) = &radio.in_place {
+        let _ = write!(words, "; {in_place}");
     }
     line("radio", &format!("{words}; noise of {} dB left out", radio.sigma_db));
     let whose = if plan.budget.is_some() { "" } else { "; a radio of your own: --budget" };
