@@ -12,6 +12,7 @@ const READINGS: &str = "\
 | as printed | nothing: Eq. 7 takes the others where they are (`\"ignored\"`, the default) | its mid-point is uncovered (`false`, the default) |
 | left | Eq. 7 takes the others where they will be, and no robot of any strategy flies to a place that another has announced, while there is anything else to do (`\"left\"`, our rule) | its mid-point is uncovered |
 | ends | nothing | its mid-point is uncovered, or an end of it beside which the next sector is shorter by half of `r_s_m` or more (`true`, and `arc_gap_share = 0.5`, our value) |
+| all ends | nothing | its mid-point or an end of it is uncovered, whatever the gap (`true`, and `arc_gap_share = 0`) |
 | left, ends | as *left* | as *ends* |
 ";
 
@@ -29,7 +30,7 @@ and Vendittelli, The Sensor-Based Random Graph Method for Cooperative Robot Expl
 Mechatronics 14(2), 2009) names decentralized mechanisms of cooperation and coordination that avoid conflicts, in its
 abstract; its text was not at hand, and no other source was found that says who waits and for how long. So the rule here is ours: of two
 moving robots in conflict the higher number waits one round, and parked or waiting ones are passed on another level,
-without which the strategy deadlocks. If published robots waited longer, levels saved more than they can here.";
+without which the strategy deadlocks. If published robots waited longer than ours, levels saved more than they can here.";
 
 /// All of it.
 pub(super) fn text(study: &Study, replicates: u64) -> String {
@@ -45,7 +46,7 @@ pub(super) fn text(study: &Study, replicates: u64) -> String {
 {gist}
 
 This page is what `uchain paper cooperation` writes: {replicates} runs of each strategy with 2 to 5 robots on each map, under each
-of four readings of Kim 2021. Runs of one number start from the same places and draw the same random numbers, whatever the
+of five readings of Kim 2021. Runs of one number start from the same places and draw the same random numbers, whatever the
 strategy and the reading. A saving is one minus the ratio of the means; parentheses hold its 95 % interval, by bootstrap over the
 runs' numbers. `cssg` over `cssg-random` is what choosing targets buys (STN, Eq. 7), `cssg-random` over `srg` what flight levels
 buy, `cssg` over `srg` both.
@@ -85,7 +86,7 @@ Rounds held by all robots together, in the mean of a run, and their share of all
 }
 
 fn percent([saved, low, high]: [f64; 3]) -> String {
-    format!("{saved:.1} ({low:.1} … {high:.1})")
+    format!("{saved:.1} ({low:.1} … {high:.1})").replace("-0.0", "0.0")
 }
 
 /// What it comes to, in two sentences.
@@ -105,17 +106,17 @@ fn gist(study: &Study) -> String {
 /// Of what choosing targets saves (as printed and *left*, by map), what levels save (rounds and way, by map), and the least
 /// and largest share of rounds held.
 fn sentences(targets: [[[f64; 3]; 2]; 2], levels: [[[f64; 3]; 2]; 2], held: [f64; 2]) -> String {
-    let of = |[saved, low, high]: [f64; 3]| format!("{saved:.1} % ({low:.1} … {high:.1})");
+    let of = |[saved, low, high]: [f64; 3]| format!("{saved:.1} % ({low:.1} … {high:.1})").replace("-0.0", "0.0");
     let [printed, left] = targets.map(|maps| maps.map(of));
     let [rounds, way] = levels.map(|maps| maps.map(of));
     let count = |shows: fn(&[f64; 3]) -> bool| levels.iter().flatten().filter(|saved| shows(saved)).count();
     let (saves, costs) = (count(|[_, low, _]| *low > 0.0), count(|[_, _, high]| *high < 0.0));
     format!(
         "Flying away from the others by Eq. 7 as printed (`cssg` over `cssg-random`) saves a team of 2 to 5 robots {} of its rounds \
-         in the apartment and {} in the corridors; if the robots of every strategy also leave to one another what they have \
-         announced, which is our rule, it saves {} and {}. Passing one another on flight levels instead of waiting \
-         (`cssg-random` over `srg`) saves {} and {} of the rounds and {} and {} of the way, where less than 0 is a loss: {} \
-         of these four intervals {} above 0 and {} below, for robots that may wait do so in {:.1} to {:.1} % of their rounds only.",
+         in the apartment and {} in the corridors; if all robots also leave to one another the places they have announced, which \
+         is our rule, it saves {} and {}. Passing one another on flight levels instead of waiting (`cssg-random` over `srg`) saves \
+         {} and {} of the rounds and {} and {} of the way, less than 0 being a loss: of these four intervals {} {} above 0 and {} \
+         below, and robots that may wait do so in {:.1} to {:.1} % of their rounds only.",
         printed[0],
         printed[1],
         left[0],
