@@ -91,7 +91,8 @@ fn says(text: &str, page: &Page) -> bool {
 
 #[test]
 fn a_text_says_what_a_page_begins_with_only_if_every_word_and_number_is_there() {
-    let page = Page { name: "a.md".into(), text: "# A\n\nIt saves 5.5 % of\nits rounds. No more.\n\nWhy.\n".into() };
+    let page =
+        Page { name: "a.md".into(), text: "# A\n\nIt saves 5.5 % of\nits rounds. No more.\n\nWhy.\n".into() };
     assert!(says("# B\n\nSo: It saves 5.5 %\nof its rounds. No\nmore. See there.", &page));
     assert!(!says("It saves 5.4 % of its rounds. No more.", &page));
     assert!(!says("It saves 5.5 % of its rounds.", &page));

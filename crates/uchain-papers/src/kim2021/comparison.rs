@@ -175,7 +175,12 @@ impl Comparison {
 
     /// A statistic of what one strategy saves over another one with 2, 3, 4 and 5 robots (%), and its interval: by
     /// bootstrap over the replicates, which keep their runs with all numbers of robots together.
-    fn of_saved(&self, pair: [usize; 2], metric: Metric, statistic: fn(&[f64; ROBOTS.len()]) -> f64) -> [f64; 3] {
+    fn of_saved(
+        &self,
+        pair: [usize; 2],
+        metric: Metric,
+        statistic: fn(&[f64; ROBOTS.len()]) -> f64,
+    ) -> [f64; 3] {
         let samples: [[Vec<f64>; 2]; ROBOTS.len()] =
             std::array::from_fn(|n| pair.map(|strategy| self.sample(strategy, n, metric)));
         let replicates = samples.iter().flatten().map(Vec::len).min().unwrap_or(0);

@@ -36,8 +36,10 @@ without which the strategy deadlocks. If published robots waited longer than our
 pub(super) fn text(study: &Study, replicates: u64) -> String {
     let gist = gist(study);
     let [means, published, slopes, ways, holds] =
-        [means(study), published(study), slopes(study), ways(study), holds(study)].map(|table| table.markdown());
-    let teams = MAPS.iter().enumerate().map(|(m, map)| format!("On `{map}`:\n\n{}\n", by_team(study, m).markdown()));
+        [means(study), published(study), slopes(study), ways(study), holds(study)]
+            .map(|table| table.markdown());
+    let teams =
+        MAPS.iter().enumerate().map(|(m, map)| format!("On `{map}`:\n\n{}\n", by_team(study, m).markdown()));
     let teams: String = teams.collect();
     format!(
         "\
@@ -106,7 +108,8 @@ fn gist(study: &Study) -> String {
 /// Of what choosing targets saves (as printed and *left*, by map), what levels save (rounds and way, by map), and the least
 /// and largest share of rounds held.
 fn sentences(targets: [[[f64; 3]; 2]; 2], levels: [[[f64; 3]; 2]; 2], held: [f64; 2]) -> String {
-    let of = |[saved, low, high]: [f64; 3]| format!("{saved:.1} % ({low:.1} … {high:.1})").replace("-0.0", "0.0");
+    let of =
+        |[saved, low, high]: [f64; 3]| format!("{saved:.1} % ({low:.1} … {high:.1})").replace("-0.0", "0.0");
     let [printed, left] = targets.map(|maps| maps.map(of));
     let [rounds, way] = levels.map(|maps| maps.map(of));
     let count = |shows: fn(&[f64; 3]) -> bool| levels.iter().flatten().filter(|saved| shows(saved)).count();
@@ -208,7 +211,8 @@ fn slopes(study: &Study) -> Table {
 /// On one map.
 fn by_team(study: &Study, map: usize) -> Table {
     let robots: Vec<String> = ROBOTS.iter().map(|robots| format!("{robots} robots")).collect();
-    let header: Vec<&str> = ["reading", "saves", "of"].into_iter().chain(robots.iter().map(String::as_str)).collect();
+    let header: Vec<&str> =
+        ["reading", "saves", "of"].into_iter().chain(robots.iter().map(String::as_str)).collect();
     let mut table = Table::for_report(&header);
     for (reading, flown) in study.on(map) {
         for pair in PAIRS {

@@ -5,7 +5,8 @@ fn two_sentences_hold_every_number_and_count_what_shows() {
     let targets = [[[5.5, 3.7, 7.3], [4.0, 2.5, 5.5]], [[9.4, 7.7, 11.1], [10.2, 9.0, 11.4]]];
     let levels = [[[0.4, -0.2, 1.0], [-1.5, -2.5, -0.5]], [[-2.0, -3.0, -1.0], [2.0, 1.0, 3.0]]];
     let text = sentences(targets, levels, [0.14, 4.0]);
-    for number in ["5.5 % (3.7 … 7.3)", "4.0 % (2.5 … 5.5)", "9.4 % (7.7 … 11.1)", "10.2 % (9.0 … 11.4)"] {
+    for number in ["5.5 % (3.7 … 7.3)", "4.0 % (2.5 … 5.5)", "9.4 % (7.7 … 11.1)", "10.2 % (9.0 … 11.4)"]
+    {
         assert!(text.contains(number), "{text}");
     }
     assert!(text.contains("saves 0.4 % (-0.2 … 1.0) and -1.5 % (-2.5 … -0.5) of the rounds"), "{text}");
