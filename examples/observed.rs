@@ -14,8 +14,8 @@
 //! apartment until full: 3 robots, 137 rounds, 188 nodes
 //! chains: 60015 records, 1925 kB
 //! chains: 60000 decisions again, the same bits
-//! team: 5014 records, 110 kB
-//! team: 1280 decisions again, the same bits
+//! team: 4830 records, 108 kB
+//! team: 1228 decisions again, the same bits
 //! ```
 
 use std::{env, error::Error, ffi::OsString, fs, path::PathBuf};

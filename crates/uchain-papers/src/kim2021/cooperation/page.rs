@@ -97,7 +97,7 @@ fn gist(study: &Study) -> String {
         study.on(map).nth(reading).map_or([f64::NAN; 3], |(_, flown)| flown.saved_mean(pair, metric))
     };
     let levels = [ITERATIONS, DISTANCE].map(|metric| [0, 1].map(|map| saved(map, 0, PAIRS[1], metric)));
-    let held = (0..MAPS.len()).flat_map(|map| study.on(map).next().map(|(_, flown)| flown.held_percent()));
+    let held = (0..MAPS.len()).filter_map(|map| study.on(map).next().map(|(_, flown)| flown.held_percent()));
     sentences(
         [0, 1].map(|reading| [0, 1].map(|map| saved(map, reading, PAIRS[0], ITERATIONS))),
         levels,
