@@ -9,13 +9,13 @@
 //! circuit: 4 UAVs, 5000 ticks
 //! circuit-frontiers2021: 4 UAVs, 5000 ticks
 //! circuit-cavemod: 4 UAVs, 5000 ticks
-//! apartment: 3 robots, 88 rounds, 107 nodes
+//! apartment: 3 robots, 75 rounds, 108 nodes
 //! apartment by srg: 3 robots, 95 rounds, 109 nodes
 //! apartment until full: 3 robots, 137 rounds, 188 nodes
 //! chains: 60015 records, 1925 kB
 //! chains: 60000 decisions again, the same bits
-//! team: 5014 records, 110 kB
-//! team: 1280 decisions again, the same bits
+//! team: 4830 records, 108 kB
+//! team: 1228 decisions again, the same bits
 //! ```
 
 use std::{env, error::Error, ffi::OsString, fs, path::PathBuf};

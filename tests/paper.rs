@@ -1,6 +1,6 @@
 use std::{collections::BTreeSet, fmt::Write as _, fs, path::Path};
 
-use uchain_papers::{ITEMS, Item, Outcome, RunCache, Verdict, report};
+use uchain_papers::{ITEMS, Item, Outcome, Page, RunCache, Verdict, report};
 
 /// Rows of an item that agree or differ, one a line.
 fn verdicts((item, outcome): &(Item, Outcome)) -> String {
@@ -44,6 +44,9 @@ fn the_report_in_the_docs_is_what_the_code_gives() {
                     && picture.svg.contains("<svg")
             );
         }
+        for page in &outcome.pages {
+            assert!(page.name.starts_with(item.id) && page.name.ends_with(".md"), "{}", page.name);
+        }
         for table in &outcome.tables {
             assert!(!table.rows.is_empty(), "{}", table.name);
             assert!(table.is_for_report() || table.name.starts_with(item.id), "{}", table.name);
@@ -52,17 +55,46 @@ fn the_report_in_the_docs_is_what_the_code_gives() {
     }
     insta::assert_snapshot!(all.iter().map(|item| verdicts(item) + &tables(&item.1)).collect::<String>());
 
-    let report = report(&all);
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reproduction.md");
-    if std::env::var("INSTA_UPDATE").as_deref() == Ok("always") {
-        fs::write(&docs, &report).expect("the report can be written");
+    kept("reproduction.md", &report(&all));
+    for page in all.iter().flat_map(|(_, outcome)| &outcome.pages) {
+        kept(&page.name, &page.text);
+        assert!(says(&read("README.md"), page), "README.md has to say, word for word:\n\n{}", page.gist());
     }
-    let written = fs::read_to_string(&docs).unwrap_or_default();
-    let first = report.lines().zip(written.lines()).position(|(now, then)| now != then);
+}
+
+fn read(name: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).unwrap_or_default()
+}
+
+/// A page of the docs is what the code gives; it is written anew if snapshots are.
+fn kept(name: &str, text: &str) {
+    let docs = format!("docs/{name}");
+    if std::env::var("INSTA_UPDATE").as_deref() == Ok("always") {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(&docs);
+        fs::write(path, text).expect("a page can be written");
+    }
+    let written = read(&docs);
+    let first = text.lines().zip(written.lines()).position(|(now, then)| now != then);
     assert!(
-        written == report,
-        "docs/reproduction.md is no longer what the code gives, from line {:?} on; look at the difference, then: \
+        written == text,
+        "{docs} is no longer what the code gives, from line {:?} on; look at the difference, then: \
          INSTA_UPDATE=always cargo test paper",
         first.map(|line| line + 1)
     );
+}
+
+/// Whether a text holds a page's first paragraph, wherever its lines end.
+fn says(text: &str, page: &Page) -> bool {
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    !page.gist().is_empty() && words(text).contains(&words(page.gist()))
+}
+
+#[test]
+fn a_text_says_what_a_page_begins_with_only_if_every_word_and_number_is_there() {
+    let page =
+        Page { name: "a.md".into(), text: "# A\n\nIt saves 5.5 % of\nits rounds. No more.\n\nWhy.\n".into() };
+    assert!(says("# B\n\nSo: It saves 5.5 %\nof its rounds. No\nmore. See there.", &page));
+    assert!(!says("It saves 5.4 % of its rounds. No more.", &page));
+    assert!(!says("It saves 5.5 % of its rounds.", &page));
+    assert!(!says("", &Page { name: "b.md".into(), text: "# B\n".into() }));
 }

@@ -39,7 +39,7 @@ use uchain_sim::{draw::DrawError, record::RecordError, sweep::DesignError};
 
 use laclau2021::Exploration;
 
-pub use outcome::{Outcome, Row, Table, Verdict};
+pub use outcome::{Outcome, Page, Row, Table, Verdict};
 pub use report::{report, verdict_table};
 
 /// Root seed of all runs.
@@ -130,6 +130,7 @@ pub const ITEMS: &[Item] = &[
     kim2021::FIG10,
     kim2021::FIG11,
     kim2021::TABLE1,
+    kim2021::COOPERATION,
     formal::FORMAL,
     ablations::ABLATIONS,
     radio::MODELS,

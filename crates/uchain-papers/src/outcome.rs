@@ -97,6 +97,13 @@ impl Table {
         self.name.is_empty()
     }
 
+    /// In Markdown.
+    pub(crate) fn markdown(&self) -> String {
+        let line = |cells: &Vec<String>| format!("| {} |\n", cells.join(" | "));
+        let rule = format!("|{}\n", "---|".repeat(self.header.len()));
+        line(&self.header) + &rule + &self.rows.iter().map(line).collect::<String>()
+    }
+
     /// As CSV.
     pub fn csv(&self) -> String {
         let line = |cells: &Vec<String>| {
@@ -126,6 +133,31 @@ pub struct Outcome {
     pub pictures: Vec<(String, Picture)>,
     /// Numbers.
     pub tables: Vec<Table>,
+    /// Pages of their own, beside the report.
+    pub pages: Vec<Page>,
+}
+
+/// A page in Markdown of an item's own. Its first paragraph says in two sentences what came out, for whoever reads nothing
+/// else.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Page {
+    /// What its file is called, with the ending.
+    pub name: String,
+    /// All of it.
+    pub text: String,
+}
+
+impl Page {
+    /// Its first paragraph, what comes below the heading.
+    ///
+    /// ```
+    /// # use uchain_papers::Page;
+    /// let page = Page { name: "a.md".into(), text: "# A\n\nIt is so. It is not so.\n\n## B\n".into() };
+    /// assert_eq!(page.gist(), "It is so. It is not so.");
+    /// ```
+    pub fn gist(&self) -> &str {
+        self.text.split("\n\n").find(|paragraph| !paragraph.starts_with('#')).unwrap_or_default()
+    }
 }
 
 impl Outcome {

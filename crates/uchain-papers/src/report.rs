@@ -49,6 +49,8 @@ const ENDING: &str = "\
 | Kim 2021, Eq. 8 | edges only where both labels are free | edges wherever two nodes see each other: as printed, robots' graphs stay disconnected |
 | Kim 2021, Fig. 8 and 12 | no sizes | maps of our own: nine rooms of 10 m x 10 m, a net of corridors as large, and 2 m x 2 m for the experiment |
 | Kim 2021, Eq. 7 | weights c_i without values | 1 |
+| Kim 2021, §6.2 | robots that meet at a node are given different targets | by Eq. 7 alone they are not; `explore.taken = \"left\"` is our rule for it, for every strategy (cooperation) |
+| Kim 2021, §4.1 | left and right points of an arc where there is a wide gap, which is defined nowhere | mid-points alone; `explore.arc_ends` with a gap of half of R_s beside it (cooperation) |
 | Kim 2021, §7.2 | SRG: what holds, and for how long | of two moving robots in conflict the higher number holds one round; parked or holding ones are passed |
 
 Assumed throughout: Laclau 2021: a plane, packets that take no time, ToF sensors and optic flow with the noise of this
@@ -106,11 +108,7 @@ pub fn report(items: &[(Item, Outcome)]) -> String {
             );
         }
         for table in outcome.tables.iter().filter(|table| table.is_for_report()) {
-            let _ = writeln!(text, "\n| {} |", table.header.join(" | "));
-            let _ = writeln!(text, "|{}", "---|".repeat(table.header.len()));
-            for row in &table.rows {
-                let _ = writeln!(text, "| {} |", row.join(" | "));
-            }
+            let _ = write!(text, "\n{}", table.markdown());
         }
         if !outcome.notes.is_empty() {
             text += "\n";
@@ -121,6 +119,9 @@ pub fn report(items: &[(Item, Outcome)]) -> String {
         let files: Vec<String> = outcome.pictures.iter().map(|(name, _)| format!("`{name}.png`")).collect();
         if !files.is_empty() {
             let _ = writeln!(text, "\nPictures (also as SVG): {}.", files.join(", "));
+        }
+        for page in &outcome.pages {
+            let _ = writeln!(text, "\nA page of its own: [{0}]({0}).", page.name);
         }
     }
     text + "\n" + ENDING.trim_end() + "\n"

@@ -16,5 +16,5 @@ pub(crate) fn leaves(name: &str) -> bool {
     };
     name == REPORT
         || name == VERDICTS
-        || [".png", ".svg", ".csv"].iter().any(|ending| name.strip_suffix(ending).is_some_and(is_item))
+        || [".png", ".svg", ".csv", ".md"].iter().any(|ending| name.strip_suffix(ending).is_some_and(is_item))
 }

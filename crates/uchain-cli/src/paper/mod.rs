@@ -26,8 +26,8 @@ Examples:
   uchain paper formal ablations --out more  what the papers prove or leave open, in numbers
 
 Writes REPORT.md (published | ours | agrees?) of the items asked for, verdicts.csv with its rows, a PNG and an SVG of
-every picture, and CSV of every run and every curve. Nothing is tuned to agree; where it does not, the report says so
-and why. The report of all is docs/reproduction.md.
+every picture, CSV of every run and every curve, and the pages that some items have of their own. Nothing is tuned to
+agree; where it does not, the report says so and why. The report of all is docs/reproduction.md.
 ";
 
 /// Items of the papers.
@@ -94,6 +94,7 @@ fn write(folder: &Folder, outcome: &Outcome) -> Result<(), Failure> {
     let tables: Vec<(String, String)> =
         tables.map(|table| (format!("{}.csv", table.name), table.csv())).collect();
     files.extend(tables.iter().map(|(name, csv)| (name.clone(), csv.as_bytes())));
+    files.extend(outcome.pages.iter().map(|page| (page.name.clone(), page.text.as_bytes())));
     folder.write_each(&files)
 }
 

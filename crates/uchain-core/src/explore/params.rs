@@ -27,11 +27,15 @@ crate::params! {
         /// - Symbol: `d_min`
         /// - Source: Kim 2021, Algorithm 1; the value is ours
         pub d_min_share: f32 = 0.1, in 0.0..=0.4;
-        /// Whether an arc is a frontier as long as its mid-point or one of its ends is uncovered, instead of its
-        /// mid-point alone. By mid-points alone two nodes that look through one door from both sides may cover each
-        /// other's arcs, and the room behind is never seen; by ends a team flies up to a quarter more.
-        /// - Source: Kim 2021, §4.1 (mid-points)
+        /// Whether an arc is a frontier as long as its mid-point, or an end of it that lies at a wide gap, is uncovered,
+        /// instead of its mid-point alone. By mid-points alone two nodes that look through one door from both sides may
+        /// cover each other's arcs, and the room behind is never seen; by ends a team flies up to a quarter more.
+        /// - Source: Kim 2021, §4.1 (mid-points, and ends where there is a wide gap)
         pub arc_ends: bool = false;
+        /// From what gap on an end counts, if ends do: how much shorter the sector beside it is than its own, as a share
+        /// of `r_s_m` (1). With 0 all ends count; with more, those beside a wall that is near.
+        /// - Source: ours; Kim 2021, §4.1, does not say what is wide
+        pub arc_gap_share: f32 = 0.5, in 0.0..=1.0;
         /// How far inside another star a point of an arc must lie to be covered (m). Without it two nodes at one place
         /// would cover each other's arcs by the rounding of their distance.
         /// - Source: ours
@@ -51,9 +55,9 @@ crate::params! {
         /// Which nodes are connected, beside those flown between.
         /// - Source: Kim 2021, Eq. 8
         pub edges: EdgeRule = EdgeRule::Visible;
-        /// What targets that were announced this round are to a choice, beside conflicts.
-        /// - Source: Kim 2021, Eq. 7 and §6.2
-        pub taken: Taken = Taken::Left;
+        /// What targets that were announced this round are to a choice, beside conflicts; the same to every strategy.
+        /// - Source: Kim 2021, Eq. 7
+        pub taken: Taken = Taken::Ignored;
         /// What a metre of way costs, in metres of frontier arc, with the strategy `utility` (1).
         /// - Symbol: β
         /// - Source: Burgard 2005, Algorithm 1; the value is ours

@@ -1,9 +1,9 @@
-//! Comparison of three exploration strategies (Kim 2021, §7.2): 2 to 5 robots, 20 runs each, common random numbers.
+//! Comparison of three exploration strategies (Kim 2021, §7.2): 2 to 5 robots, common random numbers.
 
 use std::sync::Arc;
 
 use uchain_sim::{
-    analyse::{Estimate, saved_percent},
+    analyse::{Estimate, bootstrap, saved_percent},
     draw::figure::{Axes, Figure, Mark},
     mission::explore::{ExploreSummary, Site},
     run::run,
@@ -17,12 +17,19 @@ use crate::{
 
 /// From the one that holds positions to the one of the paper.
 pub(super) const STRATEGIES: [&str; 3] = ["cssg", "cssg-random", "srg"];
-const ROBOTS: [usize; 4] = [2, 3, 4, 5];
+pub(super) const ROBOTS: [usize; 4] = [2, 3, 4, 5];
+/// As many as published.
 const REPLICATES: u64 = 20;
+
+/// What of the paper is read how, here and in all items of Kim 2021 but `cooperation`.
+pub(super) const READING: &str = "Read as printed: in Eq. 7 the others count where they are (`explore.taken = \"ignored\"`), and a \
+frontier is judged by the mid-point of its arc (`explore.arc_ends = false`). What the other readings give, with five times the runs, \
+is in [cooperation.md](cooperation.md).";
 
 /// How rows are judged.
 pub(super) const AGREEMENT_RULE: &str = "Agrees: the interval meets the published range for every number of robots, and the mean over them \
-lies within. Intervals: bootstrap over the pairs of a replicate, which start from the same places.";
+lies within. *Grows*: the interval of the slope over their number lies above 0. Intervals: bootstrap over the pairs of a replicate, which start from \
+the same places.";
 
 /// A metric of a run.
 #[derive(Clone, Copy)]
@@ -35,7 +42,7 @@ pub(super) const ITERATIONS: Metric = Metric { name: "iterations", of: |run| run
 pub(super) const DISTANCE: Metric =
     Metric { name: "distance per robot", of: ExploreSummary::distance_mean_m };
 
-const HOLDS: Metric =
+pub(super) const HOLDS: Metric =
     Metric { name: "rounds held", of: |run| run.holds.iter().map(|holds| f64::from(*holds)).sum() };
 const OVERLAP: Metric = Metric { name: "overlap", of: |run| 100.0 * run.overlap };
 
@@ -56,17 +63,23 @@ pub(super) struct Comparison {
 }
 
 impl Comparison {
-    pub(super) fn fly(map: &'static str) -> Result<Self, PaperError> {
+    /// As published, read as printed.
+    pub(super) fn published(map: &'static str) -> Result<Self, PaperError> {
+        Self::fly(map, &[], REPLICATES)
+    }
+
+    pub(super) fn fly(map: &'static str, sets: &[&str], replicates: u64) -> Result<Self, PaperError> {
         let vary = [
             format!("explore.strategy={}", STRATEGIES.map(|strategy| format!("\"{strategy}\"")).join(",")),
             format!("explore.robots={}", ROBOTS.map(|robots| robots.to_string()).join(",")),
         ];
-        let experiment = Experiment { source: scenario(map), sets: &[], vary: &vary, replicates: REPLICATES };
+        let experiment = Experiment { source: scenario(map), sets, vary: &vary, replicates };
         let runs = each_run(experiment, |site: &Arc<Site>, one| run(site, one.seed, &mut ()))?;
         Ok(Self { map, runs })
     }
 
-    fn sample(&self, strategy: usize, robots: usize, metric: Metric) -> Vec<f64> {
+    /// Of one strategy with one number of robots, both by their places.
+    pub(super) fn sample(&self, strategy: usize, robots: usize, metric: Metric) -> Vec<f64> {
         let runs = self.runs.get(strategy * ROBOTS.len() + robots).map_or(&[][..], Vec::as_slice);
         runs.iter().map(metric.of).collect()
     }
@@ -76,7 +89,7 @@ impl Comparison {
         let mut outcome = Outcome {
             setup: format!(
                 "Scenario `{}`, 2 to 5 robots, {REPLICATES} runs of each of three strategies; the runs of a replicate \
-                 start from the same places.",
+                 start from the same places. {READING}",
                 self.map
             ),
             rows: claims.iter().map(|claim| self.row(claim)).collect(),
@@ -118,7 +131,7 @@ impl Comparison {
     }
 
     /// What one strategy saves over another one with 2, 3, 4 and 5 robots, each with its interval (%).
-    fn saved(&self, [a, b]: [usize; 2], metric: Metric) -> Vec<[f64; 3]> {
+    pub(super) fn saved(&self, [a, b]: [usize; 2], metric: Metric) -> Vec<[f64; 3]> {
         let of = |n| saved_percent(&self.sample(a, n, metric), &self.sample(b, n, metric));
         (0..ROBOTS.len()).map(of).collect()
     }
@@ -143,14 +156,15 @@ impl Comparison {
         )
     }
 
-    /// In which share of its robots' rounds the strategy that holds positions does so, with 2, 3, 4 and 5 robots.
-    pub(super) fn holding(&self) -> String {
+    /// In which share of its robots' rounds the strategy that holds positions does so, with 2, 3, 4 and 5 robots (%).
+    pub(super) fn held_percent(&self) -> [f64; ROBOTS.len()] {
         let mean = |n, metric| Estimate::of(&self.sample(2, n, metric)).map_or(f64::NAN, |of| of.mean);
-        let share = |(n, robots): (usize, &usize)| {
-            let percent = 100.0 * mean(n, HOLDS) / (mean(n, ITERATIONS) * *robots as f64);
-            format!("{percent:.1}")
-        };
-        let shares: Vec<String> = ROBOTS.iter().enumerate().map(share).collect();
+        std::array::from_fn(|n| 100.0 * mean(n, HOLDS) / (mean(n, ITERATIONS) * ROBOTS[n] as f64))
+    }
+
+    /// The same in words.
+    pub(super) fn holding(&self) -> String {
+        let shares = self.held_percent().map(|percent| format!("{percent:.1}"));
         format!(
             "Robots of `{}` that hold wait one round, for another that moves: {} % of all rounds of a robot, with 2 to 5 \
              robots, and no way",
@@ -159,9 +173,36 @@ impl Comparison {
         )
     }
 
-    /// Saved over the number of robots, in the mean (%).
-    pub(super) fn saved_mean(&self, pair: [usize; 2], metric: Metric) -> f64 {
-        self.saved(pair, metric).iter().map(|[saved, ..]| saved).sum::<f64>() / ROBOTS.len() as f64
+    /// A statistic of what one strategy saves over another one with 2, 3, 4 and 5 robots (%), and its interval: by
+    /// bootstrap over the replicates, which keep their runs with all numbers of robots together.
+    fn of_saved(
+        &self,
+        pair: [usize; 2],
+        metric: Metric,
+        statistic: fn(&[f64; ROBOTS.len()]) -> f64,
+    ) -> [f64; 3] {
+        let samples: [[Vec<f64>; 2]; ROBOTS.len()] =
+            std::array::from_fn(|n| pair.map(|strategy| self.sample(strategy, n, metric)));
+        let replicates = samples.iter().flatten().map(Vec::len).min().unwrap_or(0);
+        bootstrap(replicates, |drawn| {
+            let sum = |sample: &Vec<f64>| drawn.iter().filter_map(|&i| sample.get(i)).sum::<f64>();
+            statistic(&samples.each_ref().map(|[a, b]| 100.0 * (1.0 - sum(a) / sum(b))))
+        })
+    }
+
+    /// Saved in the mean over the numbers of robots, and its interval (%).
+    pub(super) fn saved_mean(&self, pair: [usize; 2], metric: Metric) -> [f64; 3] {
+        self.of_saved(pair, metric, |saved| saved.iter().sum::<f64>() / saved.len() as f64)
+    }
+
+    /// How much more is saved per robot more: the slope over their number, and its interval (points).
+    pub(super) fn slope(&self, pair: [usize; 2], metric: Metric) -> [f64; 3] {
+        self.of_saved(pair, metric, |saved| {
+            let middle = ROBOTS.iter().sum::<usize>() as f64 / ROBOTS.len() as f64;
+            let aside = ROBOTS.map(|robots| robots as f64 - middle);
+            let weighed: f64 = aside.iter().zip(saved).map(|(aside, saved)| aside * saved).sum();
+            weighed / aside.iter().map(|aside| aside * aside).sum::<f64>()
+        })
     }
 
     /// Ours beside the published range.
@@ -173,7 +214,7 @@ impl Comparison {
         let ours = cells.collect::<Vec<_>>().join(", ");
         let what = format!("{} saves over {}: {} (%)", STRATEGIES[a], STRATEGIES[b], claim.metric.name);
         let Some([least, most]) = claim.range else { return Row::fact(&what, ours) };
-        let mean = self.saved_mean(claim.pair, claim.metric);
+        let [mean, ..] = self.saved_mean(claim.pair, claim.metric);
         let within = saved.iter().filter(|[saved, ..]| (least..=most).contains(saved)).count();
         let meets = saved.iter().all(|[_, low, high]| *low <= most && *high >= least);
         let ours = format!("{ours}; mean {mean:.1}, {within} of {} within", saved.len());
@@ -182,20 +223,15 @@ impl Comparison {
 
     /// Whether a saving is larger with more robots, as published: by the slope over their number.
     pub(super) fn grows(&self, pair: [usize; 2], metric: Metric) -> Row {
-        let saved = self.saved(pair, metric);
-        let middle = (ROBOTS.iter().sum::<usize>() as f64) / ROBOTS.len() as f64;
-        let weighed =
-            ROBOTS.iter().zip(&saved).map(|(robots, [saved, ..])| (*robots as f64 - middle) * saved);
-        let squares = ROBOTS.iter().map(|robots| (*robots as f64 - middle) * (*robots as f64 - middle));
-        let slope = weighed.sum::<f64>() / squares.sum::<f64>();
+        let [slope, low, high] = self.slope(pair, metric);
         Row::claim(
             &format!(
                 "{} saves over {}: {}, with more robots",
                 STRATEGIES[pair[0]], STRATEGIES[pair[1]], metric.name
             ),
             "grows",
-            format!("{slope:+.1} points per robot"),
-            slope > 0.0,
+            format!("{slope:+.1} points per robot ({low:+.1} … {high:+.1})"),
+            low > 0.0,
         )
     }
 

@@ -13,6 +13,7 @@ use uchain_sim::{
     sweep::DesignError,
 };
 
+use super::comparison::READING;
 use crate::{
     Item, Outcome, PaperError, Row, RunCache, SEED, Table,
     experiment::{Experiment, each_run, scenario},
@@ -82,7 +83,7 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
     Ok(Outcome {
         setup: format!(
             "Scenario `apartment`, three robots, strategy `cssg`, {REPLICATES} runs; the pictures are of one run after 20 \
-             and 40 iterations and at its end, as published."
+             and 40 iterations and at its end, as published. {READING}"
         ),
         rows: vec![
             Row::unjudged(
@@ -105,5 +106,6 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
         ],
         pictures,
         tables: vec![table],
+        ..Outcome::default()
     })
 }

@@ -9,6 +9,7 @@ use uchain_sim::{
     sweep::DesignError,
 };
 
+use super::comparison::READING;
 use crate::{Item, Outcome, PaperError, Row, RunCache, SEED, Table, experiment::scenario};
 
 pub(crate) const TABLE1: Item = Item {
@@ -74,7 +75,7 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
         setup: format!(
             "Scenario `lab`: 2 m x 2 m, three rooms and halls, R_s = 0.5 m, two quadrotors of 38 g, starts as published. \
              One run: nothing in it is random. Within {:.0} % agrees. A node is visited by each move, homing included, and \
-             at the start.",
+             at the start. {READING}",
             100.0 * NEAR
         ),
         rows,

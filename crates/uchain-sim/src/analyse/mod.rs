@@ -14,7 +14,9 @@ pub use cell::{Cell, Column, Field, Kind};
 pub use digest::Digest;
 pub use outcome::{Break, Outcome, Over, Remedy, Verdict, Way};
 #[cfg(feature = "sweep")]
-pub use significance::{Tendency, is_less_in_pairs, is_rarer_in_pairs, saved_percent, tends_to_be_less};
+pub use significance::{
+    Tendency, bootstrap, is_less_in_pairs, is_rarer_in_pairs, saved_percent, tends_to_be_less,
+};
 #[cfg(feature = "sweep")]
 pub use stats::Estimate;
 pub use thinned::Thinned;

@@ -2,17 +2,21 @@
 
 use alloc::vec::Vec;
 
-use super::{EdgeRule, Label, Node, Ssg};
+use super::{EdgeRule, Label, Node, Sector, Ssg};
 use crate::explore::{NodeId, NodeReport};
 
-/// Test points of an arc that no other star covers: its mid-point, and its two ends if they count.
+/// Test points of an arc that no other star covers: its mid-point, and those of its ends that count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Open(u8);
 
 impl Open {
     const NONE: Self = Self(0);
     const MIDDLE: Self = Self(0b010);
-    const ALL: Self = Self(0b111);
+
+    /// The mid-point, and the beginning and the end if they count.
+    fn with_ends([beginning, end]: [bool; 2]) -> Self {
+        Self(Self::MIDDLE.0 | u8::from(beginning) | u8::from(end) << 2)
+    }
 
     /// Which half sectors of sector k are still open: its beginning, middle and end are 2k, 2k + 1 and 2k + 2.
     fn halves(self, k: usize) -> impl Iterator<Item = usize> {
@@ -28,13 +32,12 @@ impl Ssg {
     /// A new node with its labels as reported, no other star being looked at; its slot.
     pub(super) fn insert(&mut self, report: &NodeReport) -> usize {
         let slot = self.nodes.len();
-        let all = if self.params.arc_ends { Open::ALL } else { Open::MIDDLE };
         let mut frontiers = 0;
-        for sector in &report.sectors {
+        for (k, sector) in report.sectors.iter().enumerate() {
             let sector = sector.believed(self.params.r_s_m);
             let frontier = sector.label == Label::Frontier;
             frontiers += u16::from(frontier);
-            self.open.push(if frontier { all } else { Open::NONE });
+            self.open.push(if frontier { self.tested(&report.sectors, k) } else { Open::NONE });
             self.sectors.push(sector);
         }
         if let Some(hubs) = self.hubs.get_mut(usize::from(report.id.robot)) {
@@ -45,6 +48,17 @@ impl Ssg {
         self.grid.push(report.at);
         self.graph.push(u64::from(report.id.robot) << 32 | u64::from(report.id.number));
         slot
+    }
+
+    /// The test points of a frontier arc: its mid-point, and its ends where there is a wide gap (Kim 2021, §4.1).
+    fn tested(&self, sectors: &[Sector], k: usize) -> Open {
+        let (n, r_s_m) = (self.cones.count(), self.params.r_s_m);
+        let is_wide = |beside: usize| {
+            // A frontier reaches R_s.
+            let gap_m = sectors.get(beside % n).map_or(0.0, |sector| r_s_m - sector.believed(r_s_m).r_m);
+            self.params.arc_ends && gap_m >= self.params.arc_gap_share * r_s_m
+        };
+        Open::with_ends([is_wide(k + n - 1), is_wide(k + 1)])
     }
 
     /// Looks at all arcs that a new star may cover, and at the new arcs with all stars that may cover them (Kim 2021,

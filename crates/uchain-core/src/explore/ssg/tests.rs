@@ -82,18 +82,42 @@ fn the_hub_data_of_figure_3_is_1_5_3() {
 }
 
 #[test]
-fn an_arc_stays_a_frontier_while_one_of_its_ends_is_uncovered_if_ends_count() {
-    for arc_ends in [false, true] {
-        let mut ssg = empty(ExploreParams { arc_ends, ..ExploreParams::default() });
-        ssg.apply(&node(id(0, 0), point(0.0, 0.0), None, OPEN)).unwrap();
+fn an_arc_stays_a_frontier_while_an_end_at_a_wide_gap_is_uncovered_if_ends_count() {
+    let third = |signs, arc_ends, arc_gap_share| {
+        let mut ssg = empty(ExploreParams { arc_ends, arc_gap_share, ..ExploreParams::default() });
+        ssg.apply(&node(id(0, 0), point(0.0, 0.0), None, signs)).unwrap();
         // Its star reaches the mid-point of sector 3, at 70°, and the end at 60°, but not the end at 80°.
-        ssg.apply(&node(id(0, 1), point(0.8, 0.0), Some(id(0, 0)), OPEN)).unwrap();
-        let third = labels(&ssg, id(0, 0)).chars().nth(3).unwrap();
-        let distance =
-            |half: usize| ssg.cones().point(point(0.0, 0.0), half, 1.0).distance_m(point(0.8, 0.0));
-        assert!(distance(6) < 1.0 && distance(8) > 1.0);
-        assert_eq!(third == '!', arc_ends || distance(7) > 1.0, "{}", labels(&ssg, id(0, 0)));
-    }
+        let other = point(0.8, 0.17);
+        ssg.apply(&node(id(0, 1), other, Some(id(0, 0)), OPEN)).unwrap();
+        let distance = |half: usize| ssg.cones().point(point(0.0, 0.0), half, 1.0).distance_m(other);
+        assert!(distance(6) < 0.99 && distance(7) < 0.99 && distance(8) > 1.01);
+        labels(&ssg, id(0, 0)).chars().nth(3).unwrap()
+    };
+    // A wall at 0.4 m beside the end at 80°: a gap of 0.6 m; and one beside the end at 60°, which is covered.
+    let (uncovered, covered) = ("!!!!4!!!!!!!!!!!!!", "!!4!!!!!!!!!!!!!!!");
+    assert_eq!(third(uncovered, false, 0.0), '.', "mid-points alone");
+    assert_eq!([0.0, 0.5, 0.7].map(|share| third(uncovered, true, share)), ['!', '!', '.']);
+    assert_eq!([0.0, 0.5, 0.7].map(|share| third(covered, true, share)), ['!', '.', '.']);
+    assert_eq!([0.0, 0.01].map(|share| third(OPEN, true, share)), ['!', '.'], "no gap at all");
+    let exact = 1.0 - 0.5_f32;
+    assert_eq!(third("!!!!5!!!!!!!!!!!!!", true, exact), '!', "a gap of exactly so much is wide");
+}
+
+#[test]
+fn beside_the_first_sector_lies_the_last() {
+    let label = |wall: usize, k: usize, y_m: f32| {
+        let mut ssg = empty(ExploreParams { arc_ends: true, ..ExploreParams::default() });
+        let signs: String = (0..18).map(|sector| if sector == wall { '4' } else { '!' }).collect();
+        ssg.apply(&node(id(0, 0), point(0.0, 0.0), None, &signs)).unwrap();
+        // Its star reaches the mid-point at 10° or 350°, but not the end at 0°.
+        let other = point(0.306, y_m);
+        assert!(other.distance_m(point(1.0, 0.0)) > 1.01);
+        assert!(other.distance_m(ssg.cones().point(point(0.0, 0.0), 2 * k + 1, 1.0)) < 0.99);
+        ssg.apply(&node(id(0, 1), other, Some(id(0, 0)), OPEN)).unwrap();
+        labels(&ssg, id(0, 0)).chars().nth(k).unwrap()
+    };
+    assert_eq!((label(17, 0, 0.758), label(0, 17, -0.758)), ('!', '!'));
+    assert_eq!((label(16, 0, 0.758), label(1, 17, -0.758)), ('.', '.'), "the control: another sector's wall");
 }
 
 #[test]
@@ -207,10 +231,10 @@ proptest! {
     #[test]
     fn copies_that_have_heard_the_same_are_equal_whatever_the_order_and_repetition(
         messages in reports(), order in prop::collection::vec(any::<prop::sample::Index>(), 40),
-        eq8 in any::<bool>(), arc_ends in any::<bool>(),
+        eq8 in any::<bool>(), arc_ends in any::<bool>(), arc_gap_share in 0.0..=1.0_f32,
     ) {
         let edges = if eq8 { EdgeRule::Eq8 } else { EdgeRule::Visible };
-        let params = ExploreParams { arc_ends, edges, ..ExploreParams::default() };
+        let params = ExploreParams { arc_ends, arc_gap_share, edges, ..ExploreParams::default() };
         let (mut first, mut second) = (empty(params.clone()), empty(params));
         for message in &messages {
             first.apply(message).unwrap();

@@ -14,12 +14,13 @@ use crate::explore::{Point, Purpose};
 pub enum Taken {
     /// Nothing: in Eq. 7 the others count where they are, as it is printed. Two robots that have come to one node
     /// then choose alike, and go on together.
-    Ignored,
-    /// Their robots count where they will be.
-    Counted,
-    /// And their frontiers are left to them, as long as there is anything else to do. What Kim 2021, §6.2 says of
-    /// robots at one node, that they are given different targets, holds only then.
     #[default]
+    Ignored,
+    /// In Eq. 7 their robots count where they will be. The other strategies look at no robots.
+    Counted,
+    /// That, and no strategy flies where another robot has said it will make a node, as long as there is anything else
+    /// to do. What Kim 2021, §6.2 says of robots at one node, that they are given different targets, holds only then;
+    /// how, is ours.
     Left,
 }
 
@@ -29,15 +30,23 @@ pub struct Cssg;
 
 impl Strategy for Cssg {
     fn goal(&mut self, view: &mut View<'_>) -> Goal {
-        let leave = view.params().taken == Taken::Left;
-        if let Some(candidate) = selective(view, leave) {
-            return Goal::Frontier(candidate);
-        }
-        match view.backtrack() {
-            // Rather together than not at all.
-            Goal::Home => selective(view, false).map_or(Goal::Home, Goal::Frontier),
-            hub => hub,
-        }
+        here_or_back(view, |view, leave| selective(view, leave))
+    }
+}
+
+/// A frontier here, of those that are not left to others if frontiers are; else the nearest hub (Kim 2021, Algorithm 2).
+pub(super) fn here_or_back(
+    view: &mut View<'_>,
+    mut choose: impl FnMut(&mut View<'_>, bool) -> Option<Candidate>,
+) -> Goal {
+    let leave = view.params().taken == Taken::Left;
+    if let Some(candidate) = choose(view, leave) {
+        return Goal::Frontier(candidate);
+    }
+    match view.backtrack() {
+        // Rather together than not at all.
+        Goal::Home if leave => choose(view, false).map_or(Goal::Home, Goal::Frontier),
+        hub_or_home => hub_or_home,
     }
 }
 

@@ -135,6 +135,39 @@ fn a_random_frontier_sector_is_any_of_them_alike() {
     assert_eq!(all, [30.0, 30.0, 50.0, 50.0, 250.0, 250.0]);
 }
 
+#[test]
+fn random_robots_leave_to_one_another_what_they_have_announced_if_robots_do() {
+    for strategy in [StrategyKind::CSSG_RANDOM, StrategyKind::SRG] {
+        let chosen_deg = |taken, signs, hub: bool| {
+            let mut scene = Scene::new(ExploreParams { strategy, taken, ..ExploreParams::default() }, signs);
+            // Another robot at the same node has announced the first of its sectors.
+            let place = |view: &mut View<'_>| view.candidate(Run { first: 1, count: 1 }).unwrap().at;
+            let first = scene.view(place);
+            let mut scene = scene.mate(1, point(0.0, 0.0), Some(first));
+            if hub {
+                let report = node(id(0, 1), point(0.2, 0.0), Some(id(0, 0)), "555555555!55555555");
+                scene.ssg.apply(&report).unwrap();
+            }
+            let mut drawn = |bits| {
+                scene.draws = vec![bits];
+                match scene.goal() {
+                    Goal::Frontier(candidate) => Some(libm::roundf(candidate.direction_rad.to_degrees())),
+                    _ => None,
+                }
+            };
+            [0, u32::MAX].map(&mut drawn)
+        };
+        let (two, one) = ("5!!555555555555555", "5!5555555555555555");
+        for taken in [Taken::Ignored, Taken::Counted] {
+            assert_eq!(chosen_deg(taken, two, true), [Some(30.0), Some(50.0)], "the control");
+            assert_eq!(chosen_deg(taken, one, true), [Some(30.0); 2], "the control");
+        }
+        assert_eq!(chosen_deg(Taken::Left, two, true), [Some(50.0); 2]);
+        assert_eq!(chosen_deg(Taken::Left, one, true), [None; 2], "there is another hub");
+        assert_eq!(chosen_deg(Taken::Left, one, false), [Some(30.0); 2], "rather together than not at all");
+    }
+}
+
 /// Robot 0 in a dead end; nodes around it by their robot, place and whether they have a frontier.
 fn dead_end(around: &[(NodeId, [f32; 2], bool)]) -> Scene {
     let mut scene = scene("999999999999999999");
