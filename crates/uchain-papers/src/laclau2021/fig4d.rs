@@ -9,10 +9,11 @@ use super::{
     exploration::{
         DURATION_S, END_S, Exploration, Flight, REPLICATES, RunsByTreatment, S_MIN_DB, TREATMENTS,
     },
+    page,
     trace::{loss_curves, threshold},
 };
 use crate::{
-    Item, Outcome, PaperError, Row, RunCache, Table,
+    Item, Outcome, Page, PaperError, Row, RunCache, Table,
     outcome::{cell, is_significant, mean_with_interval, p_value},
 };
 
@@ -67,6 +68,7 @@ fn regenerate(cache: &RunCache) -> Result<Outcome, PaperError> {
         }
     }
     outcome.tables.push(table);
+    outcome.pages.push(Page { name: page::NAME.to_owned(), text: page::page(flown) });
     let axes =
         TREATMENTS.iter().zip(flown.logged()).filter_map(|(name, runs)| Some(loss_axes(name, runs.first()?)));
     let title = "Losses in an exploration, three treatments, one run each (Laclau 2021, Fig. 4D)".to_owned();
