@@ -97,6 +97,19 @@ fn stderr(output: &Output) -> &str {
     std::str::from_utf8(&output.stderr).unwrap()
 }
 
+/// A scenario with a preset's values written into it by hand: those of a table that it has go into that table.
+fn with_preset(scenario: &str, preset: &str) -> String {
+    let [mut all, more]: [toml::Table; 2] = [scenario, preset].map(|text| text.parse().unwrap());
+    for (table, values) in more {
+        let values = values.as_table().unwrap().clone();
+        let written = all.entry(table).or_insert_with(|| toml::Table::new().into());
+        for (key, value) in values {
+            written.as_table_mut().unwrap().entry(key).or_insert(value);
+        }
+    }
+    all.to_string()
+}
+
 fn folder() -> TempDir {
     tempfile::tempdir().unwrap()
 }

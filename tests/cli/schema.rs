@@ -3,7 +3,7 @@ use std::fs;
 use boon::{Compiler, SchemaIndex, Schemas};
 use serde_json::Value;
 
-use crate::{folder, stderr, stdout, uchain};
+use crate::{folder, stderr, stdout, uchain, with_preset};
 
 /// What `uchain schema` prints, in the hands of an independent validator.
 struct Judge {
@@ -50,8 +50,8 @@ fn every_scenario_and_preset_that_comes_along_fits_the_schema_and_names_it_for_e
     }
     for preset in presets {
         let name = preset.trim_start_matches("preset=");
-        let text = format!("preset = \"{name}\"\n{}{}", shown(&["straight"]), shown(&["--preset", name]));
-        assert_eq!(judge.refuses(&text), None, "{name}");
+        let text = with_preset(&shown(&["straight"]), &shown(&["--preset", name]));
+        assert_eq!(judge.refuses(&format!("preset = \"{name}\"\n{text}")), None, "{name}");
     }
 }
 

@@ -6,7 +6,7 @@ use std::{
 
 use serde_json::Value;
 
-use crate::{SHORT, folder, stderr, stdout, uchain};
+use crate::{SHORT, folder, stderr, stdout, uchain, with_preset};
 
 /// The commands that `uchain --help` lists.
 fn commands() -> Vec<String> {
@@ -190,7 +190,8 @@ fn a_preset_is_listed_shown_named_by_check_and_changes_the_flight() {
     // What is shown, written by hand, flies as the preset does.
     let shown =
         [&["show", "corner"][..], &["show", "--preset", "cavemod"]].map(|args| uchain(here.path(), args));
-    fs::write(here.path().join("mine.toml"), shown.map(|output| output.stdout).concat()).unwrap();
+    let [scenario, preset] = shown.each_ref().map(stdout);
+    fs::write(here.path().join("mine.toml"), with_preset(scenario, preset)).unwrap();
     let digest = |args: &[&str]| {
         let output = uchain(here.path(), &[&["run", "--json", "--set", SHORT], args].concat());
         let summary: Value = serde_json::from_str(stdout(&output)).unwrap();

@@ -190,7 +190,7 @@ uchain_core::params! {
         /// left out.
         /// - Source: ours
         #[serde(skip_serializing_if = "Option::is_none")]
-        #[schemars(range(min = 0.0, max = 9_223_372_036_854_775_807.0))]
+        #[schemars(range(min = 0.0, max = 4_294_967_295.0))]
         pub shadowing_seed: Option<u64> = None;
         /// Loss of an antenna that stands on the floor, such as that of a UAV that waits (dB).
         /// - Source: ours
@@ -227,7 +227,7 @@ impl RadioParams {
     /// Least and greatest range (m).
     pub(super) const RANGE_M: [f64; 2] = [0.1, 1_000_000.0];
 
-    /// The first value outside its range, `range_m` included where it is written.
+    /// The first value outside its range, those that may be left out included where they are written.
     ///
     /// # Errors
     /// [`OutOfRange`] names the field, what it is and what it may be.
@@ -237,6 +237,10 @@ impl RadioParams {
         let [least, most] = [-50.0, 1000.0];
         if let Some(got) = self.least_reading_db.map(f64::from).filter(|got| !(least..=most).contains(got)) {
             return Err(OutOfRange { key: "least_reading_db", got, low: least, high: most });
+        }
+        if let Some(got) = self.shadowing_seed.filter(|seed| *seed > u64::from(u32::MAX)) {
+            let high = f64::from(u32::MAX);
+            return Err(OutOfRange { key: "shadowing_seed", got: got as f64, low: 0.0, high });
         }
         match self.range_m {
             Some(range_m) if !(low as f32..=high as f32).contains(&range_m) => {

@@ -25,7 +25,8 @@ pub struct Body {
     pub(super) forward: Vec2,
     /// Yaw rate (rad/s); 0 for one that flies to waypoints.
     pub yaw_rate_radps: f32,
-    /// Way flown forward since the start, backward taken off (m): what an odometer without a fault shows.
+    /// Way flown forward since the start, backward taken off (m): what an odometer without a fault shows. 0 for one that flies
+    /// to waypoints.
     pub forward_m: f64,
     /// In the air. On the ground a body does not move and is in nobody's way.
     pub airborne: bool,
@@ -116,7 +117,7 @@ impl Body {
 
     /// Counts the way of a tick, before the body turns.
     pub(super) fn roll(&mut self, tick_s: f32) {
-        if self.airborne {
+        if self.airborne && !self.kinematic {
             self.forward_m += f64::from(self.forward_mps() * tick_s);
         }
     }

@@ -11,7 +11,7 @@ use crate::{Item, Outcome, Page, PaperError, RunCache, Table};
 
 pub(crate) const COOPERATION: Item = Item {
     id: "cooperation",
-    title: "what cooperation buys, by each reading (Kim 2021, Eq. 7, §4.1 and §6.2)",
+    title: "what cooperation buys, by each reading (Kim 2021, Eq. 7, sections 4.1 and 6.2)",
     run: regenerate,
 };
 

@@ -10,7 +10,7 @@ pub struct Unit {
 }
 
 /// What stands at the end of a key's name, the longer before the shorter.
-const SUFFIXES: [(&str, Unit); 17] = [
+const SUFFIXES: [(&str, Unit); 18] = [
     ("_db2_per_s", Unit { symbol: "dB²/s", words: "decibels squared per second" }),
     ("_rad_per_s_m", Unit { symbol: "rad/(s·m)", words: "radians per second and metre" }),
     ("_db_per_m", Unit { symbol: "dB/m", words: "decibels per metre" }),
@@ -24,6 +24,7 @@ const SUFFIXES: [(&str, Unit); 17] = [
     ("_packets", Unit { symbol: "packets", words: "packets" }),
     ("_deg", Unit { symbol: "degrees", words: "degrees" }),
     ("_rad", Unit { symbol: "rad", words: "radians" }),
+    ("_mhz", Unit { symbol: "MHz", words: "megahertz" }),
     ("_kg", Unit { symbol: "kg", words: "kilograms" }),
     ("_db", Unit { symbol: "dB", words: "decibels" }),
     ("_m", Unit { symbol: "m", words: "metres" }),

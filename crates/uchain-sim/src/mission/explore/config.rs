@@ -29,9 +29,9 @@ use crate::{
 const BELONGS_TO_A_CHAIN: &str =
     "belongs to a chain, and a scenario with [explore] is an exploration; expected one of the two";
 
-/// Keys of a scenario that only chains have, in the order in which they are looked for.
+/// Keys of a scenario that only chains have, in the order in which they are looked for: a preset brings tables with it.
 const CHAIN_ONLY: [&str; 12] = [
-    "chain", "pilot", "preset", "kalman", "equalize", "center", "takeoff", "link", "faults", "tof", "flow",
+    "preset", "chain", "pilot", "kalman", "equalize", "center", "takeoff", "link", "faults", "tof", "flow",
     "motion",
 ];
 
