@@ -57,6 +57,7 @@
 //! | [`mission`] | a chain, an exploration, one's own |
 //! | `log` | the node alone, fed with the log of a real flight |
 //! | `radio_fit` | logs of losses: exponent, shadowing, noise, with intervals |
+//! | [`radio_map`] | losses from one place to all others, and along a tunnel |
 //! | [`run`], [`registry`], `replay`, [`mod@sweep`] | one run, runs of whatever mission, recordings flown again, many runs |
 //! | `draw` | pictures |
 //! | [`mathematics`] | whose `exp` and `sin` the program computes with |
@@ -115,6 +116,7 @@ pub mod pilot;
 pub mod radio;
 #[cfg(feature = "fit")]
 pub mod radio_fit;
+pub mod radio_map;
 pub mod record;
 pub mod registry;
 #[cfg(feature = "record")]

@@ -10,6 +10,7 @@ mod keys;
 mod map;
 mod mission;
 mod plan;
+mod radio;
 #[cfg(all(feature = "record", feature = "draw"))]
 mod recording;
 mod scene;
@@ -35,12 +36,15 @@ pub use kept::Kept;
 pub(crate) use keys::ValueKind;
 pub use map::Typed;
 pub use mission::{AnyMission, Flown, Of, Whole};
+#[cfg(feature = "fit")]
+pub use plan::{FittedCase, FittedPlan};
 pub use plan::{
     PlanArgument, PlanCourse, PlanFlight, PlanFlightError, PlanFor, PlanRequest, PlanRequestError, Spot,
     named,
 };
 #[cfg(all(feature = "record", feature = "draw"))]
 pub use recording::{AnyRecording, Inspection};
+pub use radio::RadioIn;
 pub use scene::AnyScene;
 #[cfg(feature = "record")]
 pub use scene::{Output, RecordedRun};

@@ -13,7 +13,7 @@ use super::{
 const FALLS: f64 = 3.841_459;
 
 /// Power of the correlation length by which its prior density, over its logarithm, falls (1).
-const PRIOR: f64 = 0.5;
+const PRIOR: f64 = 0.25;
 
 /// A number and its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -56,8 +56,8 @@ pub(super) fn line(likelihood: &mut Likelihood, places: &[Place], surface: &Surf
     let line = best.at.sums.line();
     let (mut total, mut covariance, mut means, mut squares) = (0.0, [0.0; 3], [0.0; 2], [0.0; 3]);
     for node in &surface.nodes {
-        // Before the log is seen a length is as likely as its root is short: between all logarithms and all inverses alike, of
-        // which the one counts lengths that no walk tells from the line too much, and the other too little.
+        // Lengths that no walk tells from the line count for something, but not for all: by how much is chosen so that the
+        // intervals of drawn logs hold the truth as often as they say (the table in docs/guide/radio-fit.md).
         let prior = -PRIOR * (node.point[1] - best.point[1]);
         let weight = libm::exp(prior - 0.5 * (node.deviance - best.deviance));
         // What is no number has no weight.
