@@ -24,6 +24,8 @@ mod own_law;
 mod radio;
 /// The shipped scenarios do what their descriptions say.
 mod scenarios;
+/// What stays in place of fading is known to a run, and to a plan that is told its seed.
+mod shadowing;
 /// A run says what happened: as asked, or what went wrong.
 mod verdict;
 /// Relays level as well over packets in bytes.

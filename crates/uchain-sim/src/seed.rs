@@ -35,6 +35,12 @@ pub enum Source {
     BurstPair = 12,
     /// Shapes of generated maps.
     Map = 13,
+    /// Shadowing that stays in place.
+    Shadowing = 14,
+    /// Gains and patterns of antennas.
+    Antenna = 15,
+    /// By how much receivers read too much.
+    Reading = 16,
 }
 
 /// Seed of one run.

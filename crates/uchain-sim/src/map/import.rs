@@ -54,6 +54,17 @@ pub struct Place {
     pub height_m: Option<f64>,
 }
 
+/// What it costs to be heard across a passage between two tiles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeardAcross {
+    /// Column and row of the tiles, in tiles from the middle of the one at the origin of the file's own frame.
+    pub tiles: [[i32; 2]; 2],
+    /// Side of a tile (m).
+    pub tile_m: f64,
+    /// The cost (1).
+    pub cost: u32,
+}
+
 /// What walls are made of.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Material {

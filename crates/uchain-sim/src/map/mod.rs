@@ -54,7 +54,7 @@ pub use formats::{ros_in_memory, ros_picture};
 pub use formats::{subt_in_memory, survex_in_memory};
 pub use geodesic::{Geodesic, MOST_CORNERS, Trail};
 pub use geometry::Segment;
-pub use import::{Import, Material, Outside, Place, Remark, RemarkKind};
+pub use import::{HeardAcross, Import, Material, Outside, Place, Remark, RemarkKind};
 pub use numbers::{MapNumbers, Narrowest, STAR_WIDTH_M, UAV_MARGIN_M, Widths};
 pub use skeleton::{GraphEdge, GraphNode, NARROWEST_M, NodeKind, TunnelGraph, WayTree};
 pub use tunnel::{CentreLine, Tunnel};
@@ -97,6 +97,8 @@ pub struct Map {
     import: Import,
     /// Places that its file names.
     places: Vec<Place>,
+    /// What its file says of how hard it is to be heard.
+    heard_across: Vec<HeardAcross>,
     materials: Vec<Material>,
     /// For each wall the number of its material; empty where nobody says any.
     made_of: Vec<Option<u16>>,
@@ -155,6 +157,7 @@ impl Map {
             offset_m: [0.0; 2],
             import: Import::default(),
             places: Vec::new(),
+            heard_across: Vec::new(),
             materials: Vec::new(),
             made_of: Vec::new(),
             grid,
@@ -214,6 +217,18 @@ impl Map {
     #[must_use]
     pub fn with_places(mut self, places: Vec<Place>) -> Self {
         self.places = places;
+        self
+    }
+
+    /// What it costs to be heard across passages between tiles, as far as its file says.
+    pub fn heard_across(&self) -> &[HeardAcross] {
+        &self.heard_across
+    }
+
+    /// The same map with costs of being heard.
+    #[must_use]
+    pub fn with_heard_across(mut self, heard_across: Vec<HeardAcross>) -> Self {
+        self.heard_across = heard_across;
         self
     }
 

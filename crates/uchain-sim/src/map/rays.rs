@@ -70,6 +70,30 @@ impl Map {
         stretches
     }
 
+    /// Calls `wall` for each separate stretch of rock of the segment `a b`, as [`Map::rock_stretches`] counts them, with the
+    /// numbers of the walls where it begins and ends; `None` of an end of the segment that is in rock. In the same order from
+    /// both ends.
+    pub(crate) fn each_wall_between(&self, a: Vec2, b: Vec2, mut wall: impl FnMut([Option<usize>; 2])) {
+        if !(a.is_finite() && b.is_finite()) {
+            wall([None, None]);
+            return;
+        }
+        let (a, b) = if (b.x, b.y) < (a.x, a.y) { (b, a) } else { (a, b) };
+        let (a, b) = (a.as_dvec2(), b.as_dvec2());
+        let length_m = a.distance(b);
+        let mut cuts = Cuts::default();
+        let _ = self.cut(a, b, &mut cuts, |_| false);
+        let face = |at: f64| {
+            let found = cuts.crossings.iter().find(|&&(t, _)| t == at);
+            found.map(|&(_, index)| index as usize)
+        };
+        self.each_stretch(a, b, &cuts, |from, to| {
+            if (to - from) * length_m > TOUCH_M {
+                wall([face(from), face(to)]);
+            }
+        });
+    }
+
     /// Whether the open segment `a b` crosses no wall and enters no rock; touching a corner or running along a
     /// wall is allowed. A stretch of rock of 1 µm or less counts as touching.
     pub fn sees(&self, a: Vec2, b: Vec2) -> bool {

@@ -238,6 +238,11 @@ pub trait Scene: Sized + Debug + Send + Sync + 'static {
     /// What it is flown in.
     fn map(&self) -> &Arc<Map>;
 
+    /// The scene of one run: as this one is, but for what the run's seed adds to it, such as shadows that stay in place.
+    fn seeded(self: &Arc<Self>, _seed: u64) -> Arc<Self> {
+        self.clone()
+    }
+
     /// What one should know before the start.
     fn notes(&self) -> Vec<String>;
 

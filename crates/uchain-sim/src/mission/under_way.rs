@@ -30,7 +30,8 @@ impl<M: Mission> UnderWay<M> {
     /// Before its first tick.
     pub fn start(scene: &Arc<M::Scene>, seed: u64) -> Self {
         let mission = M::start(scene.clone(), seed);
-        Self { mission, metrics: M::Metrics::of(scene.clone()), digest: Digest::default(), seed }
+        let scene = mission.scene().clone();
+        Self { mission, metrics: M::Metrics::of(scene), digest: Digest::default(), seed }
     }
 
     /// As [`UnderWay::start`] would make it of the same scene, in the memory it has.

@@ -4,8 +4,11 @@ use std::{fmt::Debug, sync::Arc};
 
 use glam::Vec2;
 
-use super::{Disc, PathLoss, RadioParams};
-use crate::map::{Map, MapError};
+use super::{Disc, MultiWall, PathLoss, RadioParams, Slopes, Visibility, around::around};
+use crate::{
+    map::{Map, MapError},
+    seed::Seed,
+};
 
 /// Loss of a link that carries nothing (dB): beyond every `packets.limit_db`, whatever noise takes off it, and a number
 /// like any other for charts and files.
@@ -23,17 +26,40 @@ pub struct Antenna {
     pub at: Vec2,
     /// Direction of the body that carries it (rad); `None` for the base station, which has no rotors.
     pub heading_rad: Option<f32>,
+    /// Whether it stands on the floor: `radio.ground_db`.
+    pub on_ground: bool,
+    /// Which robot carries it; `None` for the base station, and for one that nobody carries yet, such as a planned one.
+    pub carrier: Option<u16>,
 }
 
-impl From<Vec2> for Antenna {
-    /// An antenna without direction.
-    fn from(at: Vec2) -> Self {
-        Self { at, heading_rad: None }
+impl Antenna {
+    /// That of a robot in the air.
+    pub fn flying(at: Vec2, heading_rad: f32) -> Self {
+        Self { heading_rad: Some(heading_rad), ..at.into() }
+    }
+
+    /// The same of a robot with a number.
+    #[must_use]
+    pub fn carried_by(self, carrier: u16) -> Self {
+        Self { carrier: Some(carrier), ..self }
+    }
+
+    /// The same on the floor, if it is.
+    #[must_use]
+    pub fn on_ground(self, on_ground: bool) -> Self {
+        Self { on_ground, ..self }
     }
 }
 
-/// How much a link loses between two places in a map. It knows no seed and no time: equal places lose equally, in a run,
-/// in the optimum it is measured by and in a plan. What is heard of a packet is up to a [`Channel`](super::Channel).
+impl From<Vec2> for Antenna {
+    /// An antenna without direction, above the floor.
+    fn from(at: Vec2) -> Self {
+        Self { at, heading_rad: None, on_ground: false, carrier: None }
+    }
+}
+
+/// How much a link loses between two places in a map. It knows no time: equal places lose equally, in a run, in the optimum
+/// it is measured by and, but for [`RadioModel::seeded`], in a plan. What is heard of a packet is up to a [`Channel`](super::Channel).
 ///
 /// ```
 /// use std::sync::Arc;
@@ -78,6 +104,13 @@ pub trait RadioModel: Debug + Send + Sync {
     /// drawn on fewer samples.
     fn is_costly(&self) -> bool {
         false
+    }
+
+    /// The model of one run, where a loss depends on its seed, such as a shadow that stays in place: the run asks it, and so
+    /// does the optimum that the run is measured by; a plan asks the model itself, which knows no seed. `None`: no loss does.
+    /// A model that was made of another one in this way gives that of another seed just so.
+    fn seeded(&self, _seed: Seed) -> Option<Arc<dyn RadioModel>> {
+        None
     }
 }
 
@@ -124,7 +157,10 @@ pub struct RadioKind {
 
 impl RadioKind {
     /// The models that every program has.
-    pub const BUILTIN: [Self; 2] = [PathLoss::KIND, Disc::KIND];
+    pub const BUILTIN: [Self; 7] = {
+        let [log_distance, p1238, two_slope] = Slopes::KINDS;
+        [PathLoss::KIND, Disc::KIND, log_distance, MultiWall::KIND, p1238, two_slope, Visibility::KIND]
+    };
 
     /// A model by its word in a scenario and what it means in a sentence, for `uchain explain` and editors.
     pub const fn new(word: &'static str, meaning: &'static str, make: MakeRadio) -> Self {
@@ -141,12 +177,12 @@ impl RadioKind {
         self.meaning
     }
 
-    /// The model for one map, as the table `[radio]` has it.
+    /// The model for one map, as the table `[radio]` has it, with what else the table asks for around it.
     ///
     /// # Errors
     /// What the model cannot do with the table or the map.
     pub fn make(&self, params: &RadioParams, map: &Map) -> Result<Arc<dyn RadioModel>, RadioError> {
-        (self.make)(params, map)
+        (self.make)(params, map).map(|model| around(params, model))
     }
 }
 

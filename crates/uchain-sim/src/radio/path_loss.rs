@@ -82,10 +82,18 @@ impl RadioModel for PathLoss {
     }
 
     fn key(&self) -> Option<String> {
-        // Neither noise nor what other models go by.
-        let own =
-            RadioParams { sigma_db: 0.0, model: Self::WORD.to_owned(), range_m: None, ..self.params.clone() };
-        Some(format!("{} {own:?}", Self::WORD))
+        // Neither noise nor what other models go by, nor what is around this one.
+        let p = &self.params;
+        let numbers = [
+            p.reference_loss_db,
+            p.reference_m,
+            p.alpha_free,
+            p.alpha_wall,
+            p.alpha_step,
+            p.detour_db_per_m,
+            p.antenna_db,
+        ];
+        Some(format!("{} {:?} {numbers:?}", Self::WORD, p.shadowing))
     }
 
     fn is_costly(&self) -> bool {

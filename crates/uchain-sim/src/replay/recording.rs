@@ -142,7 +142,8 @@ impl<R: Read, S: Scene<Mission: Recorded>> Recording<R, S> {
         scene: &Arc<S>,
         recorder: &mut impl Recorder<FrameOf<S>>,
     ) -> Result<(SummaryOf<S>, MetricsOf<S>), PlayError> {
-        let (mut metrics, mut digest) = (MetricsOf::<S>::of(scene.clone()), Digest::default());
+        let (mut metrics, mut digest) =
+            (MetricsOf::<S>::of(scene.seeded(self.about.seed)), Digest::default());
         self.frames.play(&mut ((&mut metrics, &mut digest), recorder))?;
         Ok((metrics.sum_up(self.about.seed, digest.hex()), metrics))
     }

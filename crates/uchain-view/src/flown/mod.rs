@@ -163,7 +163,7 @@ impl<S: Viewed> Flown<S> {
         flies_again: bool,
         inputs: Vec<Asked<InputOf<S>>>,
     ) -> Result<Self, Problem> {
-        let watched = Watched::new(&scene)?;
+        let watched = Watched::new(&scene.seeded(file.seed))?;
         let again = Again::default();
         Ok(Self { scene, file, origin, flies_again, inputs, tick: 0, end: None, watched, again, tape: None })
     }

@@ -12,7 +12,7 @@ mod tests;
 use geo::{Coord, LineString, Orient, Polygon, orient::Direction};
 use glam::DVec2;
 
-use super::{Import, Map, MapError, Material, Outside, Place, RemarkKind, import::printable};
+use super::{HeardAcross, Import, Map, MapError, Material, Outside, Place, RemarkKind, import::printable};
 
 /// Most corners of a drawing.
 pub(crate) const MOST_CORNERS: usize = 1_000_000;
@@ -58,6 +58,8 @@ pub(crate) struct Drawing {
     pub(crate) snap_m: f64,
     pub(crate) materials: Vec<Material>,
     pub(crate) places: Vec<Place>,
+    /// What it costs to be heard across passages.
+    pub(crate) heard_across: Vec<HeardAcross>,
     pub(crate) import: Import,
 }
 
@@ -112,6 +114,7 @@ impl Drawing {
             place.name = printable(&place.name);
         }
         map.places = self.places;
+        map.heard_across = self.heard_across;
         map.import = self.import;
         Ok(map)
     }

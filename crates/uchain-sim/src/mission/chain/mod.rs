@@ -27,7 +27,7 @@ use uchain_core::{
     params::OutOfRange,
 };
 
-use super::{Mission, Stopped};
+use super::{Mission, Scene as _, Stopped};
 use crate::{
     clock::{period_ticks, time_s, total_ticks},
     map::Trail,
@@ -123,6 +123,7 @@ impl<B: Law> Mission for ChainOf<B> {
     type Summary = Summary;
 
     fn start(course: Arc<Course>, seed: u64) -> Self {
+        let course = course.seeded(seed);
         let world = World::new(course.map.clone(), course.scenario.motion.clone(), spawns(&course));
         let rays = course.rays.clone();
         Self::with(course, seed, rays, world)
@@ -137,6 +138,7 @@ impl<B: Law> Mission for ChainOf<B> {
                 spawns(&self.course),
             );
         }
+        self.course = self.course.seeded(seed);
         self.restart(seed);
     }
 
@@ -184,6 +186,7 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
     /// [`Chain::start`] in tests and benchmarks. With [`Course::rays`] it has the same bits until something touches; with
     /// [`ParryRays`](crate::sense::ParryRays) it is what the libraries do by themselves.
     pub fn plain(course: Arc<Course>, seed: u64, rays: Arc<R>) -> Self {
+        let course = course.seeded(seed);
         let world = World::ungated(course.map.clone(), course.scenario.motion.clone(), spawns(&course));
         Self::with(course, seed, rays, world)
     }
@@ -227,7 +230,7 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
 
     /// Everything but the world as it was before the first tick.
     fn restart(&mut self, seed: u64) {
-        self.brains.reset(Seed(seed));
+        self.brains.reset(&self.course, Seed(seed));
         self.steering = Steering::default();
         self.senses.reset(&self.course, Seed(seed));
         self.trail = Trail::default();

@@ -165,7 +165,8 @@ impl Mission for Exploration {
         }
         let antennas = self.stood.iter().zip(&self.seen);
         let antennas = antennas
-            .map(|(&at, seen)| Antenna { at, heading_rad: Some(seen.pose.heading_rad) })
+            .zip(0_u16..)
+            .map(|((&at, seen), i)| Antenna::flying(at, seen.pose.heading_rad).carried_by(i))
             .collect::<Vec<_>>();
         self.over = self.team.round(self.tick, &self.seen, &antennas);
         commands.extend_from_slice(self.team.commands());

@@ -5,19 +5,21 @@ mod delay;
 mod noise;
 mod one_way;
 mod per_link;
+mod reading;
 mod streams;
 #[cfg(test)]
 mod tests;
 
 use std::fmt::Debug;
 
-use super::{FaultConfig, PacketParams};
+use super::{FaultConfig, PacketParams, RadioParams};
 use crate::seed::Seed;
 
 use bursts::Bursts;
 use delay::Delayed;
 use noise::Noise;
 use one_way::OneWay;
+use reading::Reading;
 
 /// Which neighbour in a chain a packet comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,7 +57,7 @@ pub struct Received<P> {
 /// state of its own for each link: what happens on one link moves nothing on any other.
 ///
 /// ```
-/// use uchain_sim::{radio::{Channel, FaultConfig, Link, PacketParams, Received, channel}, seed::Seed};
+/// use uchain_sim::{radio::{Channel, FaultConfig, Link, PacketParams, RadioParams, Received, channel}, seed::Seed};
 ///
 /// /// Every wall of a mine hums: from 0 to 9 s of each minute nobody hears anybody.
 /// #[derive(Debug)]
@@ -68,7 +70,7 @@ pub struct Received<P> {
 /// }
 ///
 /// let packets = PacketParams { drop_rate: 0.0, ..PacketParams::default() };
-/// let mut radio = Humming(channel(Seed(1), 2, 3.0, &packets, &FaultConfig::default()));
+/// let mut radio = Humming(channel(Seed(1), 2, &RadioParams::default(), &packets, &FaultConfig::default()));
 /// let link = Link { from: 0, to: 1, side: None };
 /// assert_eq!(radio.transfer(link, 100, 50.0, "hello"), None);
 /// assert_eq!(radio.transfer(link, 180, 50.0, "hello").unwrap().payload, "hello");
@@ -85,17 +87,20 @@ impl<P> Channel<P> for Box<dyn Channel<P>> {
     }
 }
 
-/// The radio of one run with everything that is wrong with it: noise of `sigma_db`, random losses and the limit; then
-/// bursts, delay and one-way links, as far as there are any. Room is made for `receivers` whose numbers begin at 0;
+/// The radio of one run with everything that is wrong with it: noise or fading, random losses and the limit; then
+/// what receivers show of it, bursts, delay and one-way links, as far as there are any. Room is made for `receivers` whose numbers begin at 0;
 /// there may be more.
 pub fn channel<P: Debug + Send + 'static>(
     seed: Seed,
     receivers: u16,
-    sigma_db: f32,
+    radio: &RadioParams,
     packets: &PacketParams,
     faults: &FaultConfig,
 ) -> Box<dyn Channel<P>> {
-    let mut channel: Box<dyn Channel<P>> = Box::new(Noise::new(seed, receivers, sigma_db, packets));
+    let mut channel: Box<dyn Channel<P>> = Box::new(Noise::new(seed, receivers, radio, packets));
+    if Reading::<P>::is_asked_for(radio) {
+        channel = Box::new(Reading::new(channel, seed, receivers, radio));
+    }
     if faults.burst_rate > 0.0 {
         channel = Box::new(Bursts::new(channel, seed, receivers, faults));
     }

@@ -1,5 +1,7 @@
 //! From tiles to a map: a tunnel from the middle of each tile to each of its openings.
 
+use std::collections::BTreeMap;
+
 use super::{
     SubtConfig,
     dot::Graph,
@@ -7,7 +9,7 @@ use super::{
     tiles::{Kind, LEVEL_M, Layout, SIDES, TILE_M, Tile},
 };
 use crate::map::{
-    Import, Outside, Place, RemarkKind,
+    HeardAcross, Import, Outside, Place, RemarkKind,
     drawing::{Drawing, Shape},
 };
 
@@ -66,6 +68,16 @@ pub(super) fn drawing(
     tell(layout, settings, nowhere, &mut drawing.import);
     if let Some(graph) = graph {
         compare(tiles, &joins, graph, &mut drawing.import)?;
+        let at: BTreeMap<u32, [i32; 2]> = tiles
+            .iter()
+            .map(|tile| (tile.number, [tile.column - origin.column, origin.row - tile.row]))
+            .collect();
+        drawing.heard_across = graph
+            .costs
+            .iter()
+            .filter_map(|([a, b], &cost)| Some(([*at.get(a)?, *at.get(b)?], cost)))
+            .map(|(tiles, cost)| HeardAcross { tiles, tile_m: TILE_M, cost })
+            .collect();
     }
     Ok(drawing)
 }

@@ -69,15 +69,16 @@ impl<B: Law> Brains<B> {
             is_prepared: false,
             asked: Vec::with_capacity(count),
             level_mps: Vec::with_capacity(count),
-            course,
+            course: course.clone(),
         };
-        brains.reset(seed);
+        brains.reset(&course, seed);
         brains
     }
 
-    /// As [`Brains::new`] makes it.
-    pub(super) fn reset(&mut self, seed: Seed) {
-        let (course, count) = (&self.course, self.course.spawns.len());
+    /// As [`Brains::new`] makes it, of the same course as the seed has it.
+    pub(super) fn reset(&mut self, course: &Arc<Course>, seed: Seed) {
+        self.course = course.clone();
+        let count = course.spawns.len();
         self.nodes.clear();
         self.nodes.extend((0..count).map(|i| B::of(course, i)));
         self.members.reset(count);
@@ -116,9 +117,9 @@ impl<B: Law> Brains<B> {
         let course = &*self.course;
         let antenna = |i: usize| {
             let body = &world.bodies()[i];
-            Antenna { at: body.at, heading_rad: Some(body.heading_rad()) }
+            Antenna::flying(body.at, body.heading_rad()).on_ground(!body.airborne).carried_by(i as u16)
         };
-        let base = course.base.into();
+        let base = course.base_antenna();
         let mut transfer = |from: u16, to: u16, side: Option<Side>, true_db, packet| {
             let link = Link { from, to, side };
             let received = self.radio.transfer(link, tick, true_db, packet)?;

@@ -24,10 +24,10 @@ pub(super) fn radio_of(course: &Course, seed: Seed) -> Box<dyn Channel<Packet>> 
     let Scenario { radio, packets, faults, .. } = &course.scenario;
     let receivers = base_of(course) + 1;
     if packets.wire {
-        let inner = channel(seed, receivers, radio.sigma_db, packets, faults);
+        let inner = channel(seed, receivers, radio, packets, faults);
         return Box::new(OverTheWire { inner, senders: vec![Sender::default(); receivers.into()] });
     }
-    channel(seed, receivers, radio.sigma_db, packets, faults)
+    channel(seed, receivers, radio, packets, faults)
 }
 
 /// A packet on its way.
@@ -90,7 +90,7 @@ impl Channel<Packet> for OverTheWire {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::radio::{FaultConfig, PacketParams};
+    use crate::radio::{FaultConfig, PacketParams, RadioParams};
 
     /// Whatever is sent arrives, and is kept.
     #[derive(Debug, Default)]
@@ -141,8 +141,9 @@ mod tests {
     fn what_arrives_late_is_what_was_said_then_in_steps_and_is_lost_with_the_very_packets() {
         let params = PacketParams { delay_ticks: 4, ..PacketParams::default() };
         let faults = FaultConfig { burst_rate: 0.05, ..FaultConfig::default() };
-        let mut bytes = over(channel(Seed(1), 4, 3.0, &params, &faults));
-        let mut packets: Box<dyn Channel<Packet>> = channel(Seed(1), 4, 3.0, &params, &faults);
+        let mut bytes = over(channel(Seed(1), 4, &RadioParams::default(), &params, &faults));
+        let mut packets: Box<dyn Channel<Packet>> =
+            channel(Seed(1), 4, &RadioParams::default(), &params, &faults);
         let mut lost = 0;
         for tick in 0..400 {
             let packet =

@@ -139,6 +139,10 @@ uchain_core::params! {
         /// The base station (m).
         #[schemars(schema_with = "crate::config::help::shape::point")]
         pub base_m: [f64; 2];
+        /// Height of the base's antenna above the floor (m): below 0.1 m it stands on the floor, for `radio.ground_db`.
+        /// - Source: ours
+        #[serde(default = "default_base_height_m")]
+        pub base_height_m: f32, in 0.0..=1000.0;
         /// The deepest place the head may be sent to (m). A map without a centre line needs it for what is counted in
         /// depth: the optimum and the plan.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -161,6 +165,10 @@ uchain_core::params! {
         #[schemars(schema_with = "crate::config::help::shape::points")]
         pub spawns_m: Option<Vec<[f64; 2]>>;
     }
+}
+
+fn default_base_height_m() -> f32 {
+    1.0
 }
 
 fn default_endurance_s() -> f32 {

@@ -8,7 +8,7 @@ use super::PlanError;
 use crate::{
     map::Map,
     mission::chain::Course,
-    radio::{Antenna, NO_LINK_DB, PathLoss, RadioModel},
+    radio::{Antenna, NO_LINK_DB, PathLoss, RadioModel, around},
 };
 
 /// How far the limit is moved (dB), and the exponents (1).
@@ -71,7 +71,7 @@ fn with_exponents(course: &Course, change: f32) -> Option<Arc<Course>> {
     }
     radio.alpha_free = (radio.alpha_free + change).max(0.0);
     radio.alpha_wall = (radio.alpha_wall + change).max(0.0);
-    let model = PathLoss::new(radio.clone(), &other.map).ok()?;
+    let model = around(radio, Arc::new(PathLoss::new(radio.clone(), &other.map).ok()?));
     let most_db = other.scenario.takeoff.s_min_db + BEYOND_DB;
     Some(other.with_radio(PathLoss::WORD, Arc::new(Within { model, most_db })))
 }
@@ -80,7 +80,7 @@ fn with_exponents(course: &Course, change: f32) -> Option<Arc<Course>> {
 /// way, which takes most of the time of a plan. They are no part of a chain that keeps every link within the limit.
 #[derive(Debug)]
 struct Within {
-    model: PathLoss,
+    model: Arc<dyn RadioModel>,
     most_db: f32,
 }
 

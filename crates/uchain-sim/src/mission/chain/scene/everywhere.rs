@@ -207,7 +207,7 @@ impl Ways {
             let along = at - self.at[before as usize];
             libm::atan2f(along.y, along.x)
         });
-        Antenna { at, heading_rad }
+        Antenna { heading_rad, ..at.into() }
     }
 }
 

@@ -24,6 +24,7 @@ use crate::{
     mission::Scene,
     radio::{Antenna, NO_LINK_DB, RadioModel, finite_db},
     scene::{in_rock, lay_map, lay_radio, refuse, room_near, to_a_micrometre},
+    seed::Seed,
     sense::GridRays,
 };
 
@@ -33,6 +34,9 @@ pub use goal::Farthest;
 pub use optimality::CourseOptimum;
 use optimality::LongTunnel;
 use places::{Spots, waiting_places};
+
+/// Lower than this an antenna stands on the floor (m).
+const ON_GROUND_M: f32 = 0.1;
 
 /// Where a UAV waits, in the map's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -272,6 +276,11 @@ impl Course {
         Arc::new(course)
     }
 
+    /// The base's antenna.
+    pub fn base_antenna(&self) -> Antenna {
+        Antenna::from(self.base).on_ground(self.scenario.chain.base_height_m < ON_GROUND_M)
+    }
+
     /// What a link loses, noise off (dB); always a number.
     pub fn loss_db(&self, from: &Antenna, to: &Antenna) -> f32 {
         finite_db(self.radio.loss_db(&self.map, from, to))
@@ -293,8 +302,11 @@ impl Course {
     /// A UAV in mid-tunnel that flies along it, or the base at depth 0.
     pub(crate) fn antenna_at(&self, depth_m: f64) -> Option<Antenna> {
         let (at, heading_rad) = self.tunnel.as_ref()?.at(depth_m);
-        let heading_rad = (depth_m > 0.0).then_some(heading_rad);
-        Some(Antenna { at, heading_rad })
+        Some(if depth_m > 0.0 {
+            Antenna::flying(at, heading_rad)
+        } else {
+            Antenna { at, ..self.base_antenna() }
+        })
     }
 }
 
@@ -374,6 +386,13 @@ impl Scene for Course {
 
     fn map(&self) -> &Arc<Map> {
         &self.map
+    }
+
+    fn seeded(self: &Arc<Self>, seed: u64) -> Arc<Self> {
+        match self.radio.seeded(Seed(seed)) {
+            Some(radio) => self.with_radio(&self.scenario.radio.model, radio),
+            None => self.clone(),
+        }
     }
 
     fn notes(&self) -> Vec<String> {

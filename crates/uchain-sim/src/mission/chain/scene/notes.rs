@@ -26,8 +26,8 @@ impl Course {
         let s_min_db = self.scenario.takeoff.s_min_db;
         let chain = &self.scenario.chain;
         let loss_db = |spawn: &Spawn| {
-            let from = Antenna { at: spawn.at, heading_rad: Some(spawn.heading_rad) };
-            self.loss_db(&from, &self.base.into())
+            let from = Antenna::flying(spawn.at, spawn.heading_rad).on_ground(true);
+            self.loss_db(&from, &self.base_antenna())
         };
         let head = self.spawns.first().filter(|head| chain.uavs > 1 && loss_db(head) > s_min_db)?;
         let far_m = head.at.distance(self.base);

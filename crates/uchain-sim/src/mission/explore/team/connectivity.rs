@@ -106,10 +106,12 @@ impl TeamRadio {
     /// That of an exploration; `None` where all hear all.
     pub(super) fn new(site: &Site, seed: Seed) -> Option<Self> {
         let model = site.radio.clone()?;
-        let channel =
-            site.scenario.radio.as_ref().map(|radio| {
-                channel(seed, 0, radio.sigma_db, &site.scenario.packets, &FaultConfig::default())
-            });
+        let model = model.seeded(seed).unwrap_or(model);
+        let channel = site
+            .scenario
+            .radio
+            .as_ref()
+            .map(|radio| channel(seed, 0, radio, &site.scenario.packets, &FaultConfig::default()));
         Some(Self { map: site.map.clone(), model, channel })
     }
 

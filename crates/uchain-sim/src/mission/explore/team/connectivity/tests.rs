@@ -9,7 +9,7 @@ use uchain_core::explore::{EdgeRule, ExploreParams, Hub, Label, NodeReport, Poin
 use super::*;
 use crate::{
     map::drawn,
-    radio::{Disc, PacketParams},
+    radio::{Disc, PacketParams, RadioParams},
 };
 
 const RANGE_M: f32 = 1.5;
@@ -157,7 +157,7 @@ fn robots_that_meet_again_tell_what_is_new_and_not_what_they_know() {
 /// How often two robots hear each other that lose so much, with 3 dB of noise.
 fn share_joined(loss_db: f32, packets: &PacketParams) -> f64 {
     let model = Arc::new(Disc { range_m: RANGE_M, loss_db });
-    let channel = Some(channel(Seed(1), 0, 3.0, packets, &FaultConfig::default()));
+    let channel = Some(channel(Seed(1), 0, &RadioParams::default(), packets, &FaultConfig::default()));
     let mut radio = TeamRadio { map: open(), model, channel };
     let robots = [0.0, 1.0].map(|x_m| antenna(Point { x_m, y_m: 0.0 }));
     let joined = (0..20_000).filter(|&tick| radio.joins(tick, [0, 1], &robots)).count();
@@ -179,7 +179,13 @@ fn two_robots_hear_each_other_if_both_their_packets_arrive() {
 fn who_hears_whom_does_not_depend_on_who_is_asked_for_first() {
     let joined = |order: &[[usize; 2]]| {
         let model = Arc::new(Disc { range_m: 9.0, loss_db: 95.0 });
-        let channel = Some(channel(Seed(1), 0, 3.0, &PacketParams::default(), &FaultConfig::default()));
+        let channel = Some(channel(
+            Seed(1),
+            0,
+            &RadioParams::default(),
+            &PacketParams::default(),
+            &FaultConfig::default(),
+        ));
         let mut radio = TeamRadio { map: open(), model, channel };
         let robots = [0.0, 1.0, 2.0].map(|x_m| antenna(Point { x_m, y_m: 0.0 }));
         let mut joined: Vec<([usize; 2], bool)> = Vec::new();
