@@ -15,14 +15,14 @@ use crate::{
 
 pub(crate) const EXAMPLES: &str = "\
 Examples:
-  uchain radio fit --template > walk.csv     a log for your radio to go on with
+  uchain radio fit --template > mine.csv     a log for your radio to go on with
   uchain radio fit walk.csv                  exponent, noise, shadowing, with intervals
   uchain radio map corner                    what is lost from the base to everywhere
 ";
 
 const FIT: &str = "\
 Examples:
-  uchain radio fit --template > walk.csv
+  uchain radio fit --template > mine.csv
   uchain radio fit walk.csv                  fits/walk: fit.json, fit.png, radio.toml
   uchain radio fit theirs.csv --columns distance_m=distance*0.01,rssi_dbm=rssiBLE
   uchain radio fit poses.csv --anchors anchors.csv --columns x1_m=x,y1_m=y,rssi_dbm=rssi_*
@@ -69,7 +69,7 @@ pub(crate) struct Fit {
     #[arg(long, conflicts_with_all = ["log", "json", "out", "plan"])]
     pub(crate) template: bool,
     /// What the log's columns are called: OURS=THEIRS, THEIRS*FACTOR, NAME* (one for every link) or a number
-    #[arg(long, value_name = "OURS=THEIRS,…")]
+    #[arg(long, value_name = "OURS=THEIRS")]
     pub(crate) columns: Option<Mapping>,
     /// Where the fixed ends of the links stand: a table with the columns id, x, y and perhaps z (m)
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]

@@ -6,6 +6,8 @@ use crate::radio_fit::{Fit, Interval};
 
 /// Links that are listed.
 const LISTED: usize = 12;
+/// A limit that is sharper than this is a step (dB).
+const SOFT_DB: f64 = 0.2;
 
 impl Interval {
     /// Its ends, with "or less" and "or more" where the data do not bound it.
@@ -138,6 +140,9 @@ impl Fit {
         }
         if let Some(limit_db) = self.packets.limit_db {
             keys.push(("packets", "limit_db", round(limit_db), "half of the packets are lost there".to_owned()));
+            if let Some(soft_db) = self.packets.width_db.filter(|width_db| *width_db >= SOFT_DB) {
+                keys.push(("packets", "soft_db", round(soft_db), String::new()));
+            }
             keys.push(("packets", "drop_rate", round(self.packets.random), "whatever the loss".to_owned()));
         } else if self.packets.heard < self.packets.sent {
             keys.push(("packets", "drop_rate", round(self.packets.random), "whatever the loss".to_owned()));
