@@ -18,8 +18,8 @@ use crate::{
     output::{self, Folder},
     waiting::spinner,
 };
-pub(crate) use args::{Plan, spot};
 use args::To;
+pub(crate) use args::{Plan, spot};
 
 /// Keys that a link budget works out.
 const BUDGETED: [&str; 6] = [

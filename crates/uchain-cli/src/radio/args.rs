@@ -138,5 +138,8 @@ fn number(text: &str) -> Result<f64, String> {
 }
 
 fn power(text: &str) -> Result<f64, String> {
-    number(text).ok().filter(|dbm| dbm.abs() <= 100.0).ok_or_else(|| "expected dBm, from -100 to 100".to_owned())
+    number(text)
+        .ok()
+        .filter(|dbm| dbm.abs() <= 100.0)
+        .ok_or_else(|| "expected dBm, from -100 to 100".to_owned())
 }

@@ -61,7 +61,11 @@ pub(super) fn fit(registry: Registry, asked: &Fit) -> Result<(), Failure> {
         let plan = plan.as_ref().map(|plan| format!("\n{}", plan.text())).unwrap_or_default();
         format!("{}{plan}files: {}\n", fit.text(), folder.says(names))
     })?;
-    if fit.refusals.is_empty() { Ok(()) } else { Err(Failure::NoFit { log: label, why: fit.refusals.join("; ") }) }
+    if fit.refusals.is_empty() {
+        Ok(())
+    } else {
+        Err(Failure::NoFit { log: label, why: fit.refusals.join("; ") })
+    }
 }
 
 fn plan(registry: Registry, asked: &Fit, what: &str, fit: &radio_fit::Fit) -> Result<FittedPlan, Failure> {

@@ -52,7 +52,9 @@ pub(super) fn map(registry: Registry, asked: &Map) -> Result<(), Failure> {
 fn everywhere(registry: Registry, asked: &Map) -> Result<Made, Failure> {
     let RadioIn { name, map, radio, limit_db, base } = registry.radio(&asked.what, &asked.sets.set)?;
     let Some(radio) = radio else {
-        let words = format!("{name}: its robots hear each other within a range, whatever is lost; add --set radio.model=path-loss");
+        let words = format!(
+            "{name}: its robots hear each other within a range, whatever is lost; add --set radio.model=path-loss"
+        );
         return Err(Failure::Map(words));
     };
     let from = match &asked.from {
@@ -85,7 +87,9 @@ fn place(map: &Arc<Walls>, spot: &Spot) -> Result<Vec2, Failure> {
         Spot::Named(name) => {
             let named = map.places().iter().find(|place| place.name == *name);
             named.map(|place| place.at_m).ok_or_else(|| {
-                Failure::Map(format!("--from {name}: the map names no such place; X,Y in its own frame will do"))
+                Failure::Map(format!(
+                    "--from {name}: the map names no such place; X,Y in its own frame will do"
+                ))
             })?
         }
     };
@@ -128,7 +132,8 @@ fn along(registry: Registry, asked: &Map) -> Result<Made, Failure> {
     let mut text = String::new();
     let [x, y] = losses.from_m;
     // Writing to a String cannot fail, here and below.
-    let _ = writeln!(text, "{name}: from ({x:.2}, {y:.2}) along {:.1} m of tunnel, noise off", tunnel.length_m());
+    let _ =
+        writeln!(text, "{name}: from ({x:.2}, {y:.2}) along {:.1} m of tunnel, noise off", tunnel.length_m());
     let passes: Vec<String> = losses.passes_m.iter().take(8).map(|depth_m| format!("{depth_m:.2}")).collect();
     let _ = match passes.as_slice() {
         [] => writeln!(text, "the loss never passes {limit_db} dB"),

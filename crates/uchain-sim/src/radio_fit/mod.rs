@@ -89,7 +89,9 @@ pub enum FitError {
         expected: String,
     },
     /// Too few heard packets, or all from one place.
-    #[error("{label}: {heard} packets heard at {places} places: expected at least {least} at {least_places} places or more")]
+    #[error(
+        "{label}: {heard} packets heard at {places} places: expected at least {least} at {least_places} places or more"
+    )]
     TooFew {
         /// The file.
         label: String,
@@ -103,7 +105,9 @@ pub enum FitError {
         least_places: usize,
     },
     /// The likelihood has no number anywhere.
-    #[error("{label}: the likelihood of these losses is no number anywhere; are they in dB, and distances in metres?")]
+    #[error(
+        "{label}: the likelihood of these losses is no number anywhere; are they in dB, and distances in metres?"
+    )]
     NoLikelihood {
         /// The file.
         label: String,

@@ -96,7 +96,10 @@ impl LossMap {
 
     /// The middle of a cell, in the map file's own frame (m).
     pub fn middle_m(&self, column: usize, row: usize) -> [f64; 2] {
-        [self.low_m[0] + (column as f64 + 0.5) * self.cell_m, self.low_m[1] + (row as f64 + 0.5) * self.cell_m]
+        [
+            self.low_m[0] + (column as f64 + 0.5) * self.cell_m,
+            self.low_m[1] + (row as f64 + 0.5) * self.cell_m,
+        ]
     }
 
     /// A table in CSV: a row for every free cell.

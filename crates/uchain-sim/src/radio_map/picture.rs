@@ -90,7 +90,8 @@ impl LossMap {
                 while end < self.size[0] && shade(self.at(end, row)) == Some(own) {
                     end += 1;
                 }
-                let ((left, bottom), (right, top)) = (self.corner(panel, start, row), self.corner(panel, end, row + 1));
+                let ((left, bottom), (right, top)) =
+                    (self.corner(panel, start, row), self.corner(panel, end, row + 1));
                 // A hair more: no seams between neighbours.
                 let size = (right - left + 0.2, bottom - top + 0.2);
                 scene.add(rectangle((left, top), size, colour::of_link(0.5 * own as f64, self.limit_db)));
@@ -105,7 +106,9 @@ impl LossMap {
 
     /// Sides of cells that have the limit between them.
     fn contour(&self, scene: &mut Scene, panel: &Panel) {
-        let is_within = |column: usize, row: usize| self.at(column, row).map(|loss_db| f64::from(loss_db) <= self.limit_db);
+        let is_within = |column: usize, row: usize| {
+            self.at(column, row).map(|loss_db| f64::from(loss_db) <= self.limit_db)
+        };
         for row in 0..self.size[1] {
             for column in 0..self.size[0] {
                 let Some(own) = is_within(column, row) else { continue };
@@ -135,7 +138,8 @@ impl LossAlong {
         let (low_db, high_db) = panel_of(&|point| point.loss_db);
         let (low_db, high_db) = (low_db.min(self.limit_db) - 3.0, high_db.max(self.limit_db) + 3.0);
         let (_, depth_m) = panel_of(&|point| point.depth_m);
-        let title = format!("{name}: loss from {:.2}, {:.2} along the tunnel", self.from_m[0], self.from_m[1]);
+        let title =
+            format!("{name}: loss from {:.2}, {:.2} along the tunnel", self.from_m[0], self.from_m[1]);
         let lines = wrapped(&title, LONGEST_HEADLINE);
         let top = 34.0 + LINE * lines.len() as f64;
         let panel = Panel::new(top, 260.0, (0.0, depth_m.max(0.1)), (low_db, high_db));

@@ -1,8 +1,5 @@
 use super::*;
-use crate::{
-    config::builtin,
-    mission::chain::Course,
-};
+use crate::{config::builtin, mission::chain::Course};
 
 #[test]
 fn the_loss_of_a_cell_is_that_of_the_model_and_the_limit_is_where_its_distance_says() {
@@ -10,7 +7,11 @@ fn the_loss_of_a_cell_is_that_of_the_model_and_the_limit_is_where_its_distance_s
     // 35 dB at 0.25 m and an exponent of 2: 35 + 20 log10(d / 0.25) = 61 dB at 0.25 · 10^1.3 = 4.988 m.
     let losses = LossMap::of(&course.map, &*course.radio, course.base, 61.0);
     let expected_m = 0.25 * libm::exp10(1.3);
-    assert!((losses.farthest_m - expected_m).abs() < 2.0 * losses.cell_m, "{} {expected_m}", losses.farthest_m);
+    assert!(
+        (losses.farthest_m - expected_m).abs() < 2.0 * losses.cell_m,
+        "{} {expected_m}",
+        losses.farthest_m
+    );
     assert!(losses.loss_db.len() == losses.size[0] * losses.size[1] && losses.loss_db.contains(&None));
     let [column, row] = [losses.size[0] / 2, losses.size[1] / 2];
     let [x, y] = losses.middle_m(column, row);

@@ -42,9 +42,9 @@ pub use plan::{
     PlanArgument, PlanCourse, PlanFlight, PlanFlightError, PlanFor, PlanRequest, PlanRequestError, Spot,
     named,
 };
+pub use radio::RadioIn;
 #[cfg(all(feature = "record", feature = "draw"))]
 pub use recording::{AnyRecording, Inspection};
-pub use radio::RadioIn;
 pub use scene::AnyScene;
 #[cfg(feature = "record")]
 pub use scene::{Output, RecordedRun};

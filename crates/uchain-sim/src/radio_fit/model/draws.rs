@@ -47,5 +47,11 @@ pub(super) fn walk(seed: u64, truth: &Truth, places: usize, step_m: f64, packets
             samples.push(Sample { line: samples.len() + 2, link: 0, loss_db, distance_m, ends_m });
         }
     }
-    Log { label: "drawn".to_owned(), links: vec![String::new()], samples, has_places: true, notes: Vec::new() }
+    Log {
+        label: "drawn".to_owned(),
+        links: vec![String::new()],
+        samples,
+        has_places: true,
+        notes: Vec::new(),
+    }
 }

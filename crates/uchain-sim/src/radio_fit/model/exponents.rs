@@ -39,7 +39,8 @@ pub(super) fn by_link(
 ) -> Vec<Exponent> {
     let mut all = Vec::new();
     for (link, name) in log.links.iter().enumerate() {
-        let own: Vec<&Place> = places.iter().filter(|place| place.link == link && place.heard > 0.0).collect();
+        let own: Vec<&Place> =
+            places.iter().filter(|place| place.link == link && place.heard > 0.0).collect();
         let heard: f64 = own.iter().map(|place| place.heard).sum();
         let sums = likelihood.of_link(places, link, share);
         let line = sums.line();
@@ -69,7 +70,8 @@ pub(super) fn agree(exponents: &[Exponent]) -> Option<f64> {
     };
     let total: f64 = exponents.iter().map(weight).sum();
     let mean = exponents.iter().map(|one| weight(one) * one.alpha.value).sum::<f64>() / total;
-    let q: f64 = exponents.iter().map(|one| weight(one) * (one.alpha.value - mean) * (one.alpha.value - mean)).sum();
+    let q: f64 =
+        exponents.iter().map(|one| weight(one) * (one.alpha.value - mean) * (one.alpha.value - mean)).sum();
     let chi = ChiSquared::new((exponents.len() - 1) as f64).ok()?;
     Some(1.0 - chi.cdf(q))
 }

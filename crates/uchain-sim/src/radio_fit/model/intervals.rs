@@ -64,7 +64,8 @@ pub(super) fn line(likelihood: &mut Likelihood, places: &[Place], surface: &Surf
         if !(weight > 1e-12) {
             continue;
         }
-        let (variance, inverse, own) = (node.at.variance(likelihood.free), node.at.sums.inverse(), node.at.sums.line());
+        let (variance, inverse, own) =
+            (node.at.variance(likelihood.free), node.at.sums.inverse(), node.at.sums.line());
         let off = [own[0] - line[0], own[1] - line[1]];
         total += weight;
         for (sum, more) in covariance.iter_mut().zip(inverse) {
@@ -80,7 +81,8 @@ pub(super) fn line(likelihood: &mut Likelihood, places: &[Place], surface: &Surf
     let means = means.map(|sum| sum / total);
     let moved = [means[0] * means[0], means[0] * means[1], means[1] * means[1]];
     let between = across_blocks(likelihood, places, surface);
-    let covariance = std::array::from_fn(|i| covariance[i] / total + squares[i] / total - moved[i] + between[i]);
+    let covariance =
+        std::array::from_fn(|i| covariance[i] / total + squares[i] / total - moved[i] + between[i]);
     LineKnown { line, covariance }
 }
 
@@ -96,7 +98,13 @@ fn across_blocks(likelihood: &mut Likelihood, places: &[Place], surface: &Surfac
         let width = likelihood.blocks[block].places.len();
         let solved = likelihood.factor(places, block, share);
         let columns = solved.solved(width);
-        pulls.extend(solved.indices.iter().zip(columns).map(|((_, place), [one, decades, _])| (block, *place, [one, decades])));
+        pulls.extend(
+            solved
+                .indices
+                .iter()
+                .zip(columns)
+                .map(|((_, place), [one, decades, _])| (block, *place, [one, decades])),
+        );
     }
     let mut middle = [0.0; 3];
     for (nth, (block, a, pull)) in pulls.iter().enumerate() {
@@ -168,12 +176,19 @@ pub(super) fn noises(surface: &Surface, free: f64, heard: f64) -> [Interval; 3] 
         let [low, high] = [low, high].map(|log| libm::exp(0.5 * log));
         // A noise of a hundredth of all is none.
         let low = if low < 0.02 * variance.sqrt() { 0.0 } else { low };
-        Interval { value, low: low.min(value), high: high.max(value), is_open_below: false, is_open_above: false }
+        Interval {
+            value,
+            low: low.min(value),
+            high: high.max(value),
+            is_open_below: false,
+            is_open_above: false,
+        }
     };
     let lengths = || near.iter().map(|fine| fine.point[1]);
     let value = best.point[1];
     let (low, high) = lengths().fold((value, value), |(l, h), t| (l.min(t), h.max(t)));
-    let (least, most) = fine.iter().fold((value, value), |(l, h), fine| (l.min(fine.point[1]), h.max(fine.point[1])));
+    let (least, most) =
+        fine.iter().fold((value, value), |(l, h), fine| (l.min(fine.point[1]), h.max(fine.point[1])));
     let [value, low_m, high_m] = [value, low, high].map(libm::exp);
     let length = Interval {
         value,

@@ -4,7 +4,7 @@
 //! `(N - p) log s² + log |V / s²| + (N - K) log(1 - ρ) + (Q + SS / (1 - ρ)) / s² + log |X' (V / s²)⁻¹ X|`: N packets at K places, p
 //! numbers of the line, SS the squares within places. A place where nothing was heard takes one from N - K.
 
-use super::places::Place;
+use super::places::{Place, spread_m};
 
 /// A line: loss at the reference distance (dB), and dB per decade.
 pub(super) type Line = [f64; 2];
@@ -103,6 +103,8 @@ pub(super) struct Likelihood {
     /// `N - K`.
     within: f64,
     within_squares: f64,
+    /// How far apart packets of one place lie (m).
+    spread_m: f64,
     lower: Vec<f64>,
 }
 
@@ -136,6 +138,7 @@ impl Likelihood {
             free: 0.0,
             within: 0.0,
             within_squares: 0.0,
+            spread_m: spread_m(places),
             lower: vec![0.0; largest * largest],
         };
         all.count(places);
@@ -162,6 +165,11 @@ impl Likelihood {
         self.within_squares = places.iter().map(squares).sum();
     }
 
+    /// Share of the shadowing that differs within a place (1), where cells stand for places.
+    fn beside(&self, share: Share) -> f64 {
+        (self.spread_m / share.length_m).min(0.5)
+    }
+
     /// The likelihood at a share and a length.
     pub(super) fn at(&mut self, places: &[Place], share: Share) -> At {
         let mut sums = Sums::default();
@@ -169,7 +177,7 @@ impl Likelihood {
             let solved = self.factor(places, index, share);
             sums.add(&solved.sums());
         }
-        let white = 1.0 - share.rho;
+        let white = 1.0 - share.rho + share.rho * self.beside(share);
         let fixed = sums.log_det + self.within * libm::log(white) + libm::log(sums.det().max(1e-300));
         At { fixed, squares: sums.residual() + self.within_squares / white, sums }
     }
@@ -188,10 +196,17 @@ impl Likelihood {
 
     /// Factors a block's `V / s²` after Cholesky, and solves it for the line's columns and the losses.
     pub(super) fn factor(&mut self, places: &[Place], index: usize, share: Share) -> Solved<'_> {
+        let beside = self.beside(share);
+        let white = 1.0 - share.rho + share.rho * beside;
         let Self { blocks, lower, .. } = self;
         let block = &blocks[index];
         // A place that counts for nothing is no part of it.
-        let mut solved = Solved { indices: Vec::with_capacity(block.places.len()), whitened: Vec::new(), log_det: 0.0, lower: &[] };
+        let mut solved = Solved {
+            indices: Vec::with_capacity(block.places.len()),
+            whitened: Vec::new(),
+            log_det: 0.0,
+            lower: &[],
+        };
         let mut size = 0;
         let width = block.places.len();
         for (row, place_index) in block.places.iter().enumerate() {
@@ -207,13 +222,19 @@ impl Likelihood {
                 let others = &done[column * width..column * width + width];
                 own[column] = (r - dot(&own[..column], &others[..column])) / others[column];
             }
-            let diagonal = share.rho + (1.0 - share.rho) / place.weight - dot(&own[..size], &own[..size]);
+            let diagonal =
+                share.rho * (1.0 - beside) + white / place.weight - dot(&own[..size], &own[..size]);
             let diagonal = diagonal.max(1e-12).sqrt();
             own[size] = diagonal;
             solved.log_det += 2.0 * libm::log(diagonal);
             let mut white = [1.0, place.decades, place.level_db];
             for (which, value) in white.iter_mut().enumerate() {
-                let before: f64 = solved.whitened.iter().zip(&own[..size]).map(|(w, l): (&[f64; 3], &f64)| w[which] * l).sum();
+                let before: f64 = solved
+                    .whitened
+                    .iter()
+                    .zip(&own[..size])
+                    .map(|(w, l): (&[f64; 3], &f64)| w[which] * l)
+                    .sum();
                 *value = (*value - before) / diagonal;
             }
             solved.whitened.push(white);

@@ -1,5 +1,7 @@
 //! From packets to a line, its noises and their intervals.
 
+#[cfg(test)]
+mod draws;
 mod exponents;
 mod intervals;
 mod likelihood;
@@ -7,8 +9,6 @@ mod packets;
 mod places;
 mod search;
 mod support;
-#[cfg(test)]
-mod draws;
 #[cfg(test)]
 mod tests;
 
@@ -141,7 +141,12 @@ impl Fit {
 }
 
 /// Shadowing at all places by the fit (dB): what is to be expected there beside the line.
-fn shadowing(likelihood: &mut Likelihood, places: &[Place], share: likelihood::Share, line: [f64; 2]) -> Vec<f64> {
+fn shadowing(
+    likelihood: &mut Likelihood,
+    places: &[Place],
+    share: likelihood::Share,
+    line: [f64; 2],
+) -> Vec<f64> {
     let mut all_db = vec![0.0; places.len()];
     for index in 0..likelihood.blocks.len() {
         let members = likelihood.blocks[index].places.clone();
@@ -154,7 +159,9 @@ fn shadowing(likelihood: &mut Likelihood, places: &[Place], share: likelihood::S
             .map(|((_, place), [one, decades, loss])| (*place, loss - line[0] * one - line[1] * decades))
             .collect();
         for member in members {
-            let r = |place: usize| share.rho * libm::exp(-places[member].apart_m(&places[place]) / share.length_m);
+            let r = |place: usize| {
+                share.rho * libm::exp(-places[member].apart_m(&places[place]) / share.length_m)
+            };
             all_db[member] = pulls.iter().map(|(place, pull)| r(*place) * pull).sum();
         }
     }
@@ -197,7 +204,11 @@ pub fn fit(log: &Log, options: &FitOptions) -> Result<Fit, FitError> {
     let reference_m = options.reference_m;
     if !(0.001..=100.0).contains(&reference_m) {
         let (option, got) = ("--reference-m", reference_m.to_string());
-        return Err(FitError::Option { option, got, expected: "expected metres, from 0.001 to 100".to_owned() });
+        return Err(FitError::Option {
+            option,
+            got,
+            expected: "expected metres, from 0.001 to 100".to_owned(),
+        });
     }
     let (mut places, index, cell_m) = places(log, reference_m);
     let heard_at = places.iter().filter(|place| place.heard > 0.0).count();
@@ -248,15 +259,18 @@ pub fn fit(log: &Log, options: &FitOptions) -> Result<Fit, FitError> {
     let LineKnown { line, covariance } = intervals::line(&mut likelihood, &places, &surface);
     let white = likelihood.at(&places, likelihood::Share { rho: 0.0, length_m: spacing_m });
     let static_evidence = (white.deviance(likelihood.free) - surface.best.deviance).max(0.0);
-    let [sigma_db, sigma_static_db, correlation_m] = intervals::noises(&surface, likelihood.free, heard as f64);
+    let [sigma_db, sigma_static_db, correlation_m] =
+        intervals::noises(&surface, likelihood.free, heard as f64);
     let static_db = shadowing(&mut likelihood, &places, share, line);
     let at_places = places.iter().zip(&static_db);
-    let by_place_db: Vec<f64> = at_places.map(|(place, x_db)| line[0] + line[1] * place.decades + x_db).collect();
+    let by_place_db: Vec<f64> =
+        at_places.map(|(place, x_db)| line[0] + line[1] * place.decades + x_db).collect();
     let expected_db = if expected_db.is_empty() { by_place_db } else { expected_db };
     let packets = Counted::new(readings(), &places, &expected_db).told(&places, &expected_db, curve);
     let z = 1.96;
     let half = covariance.map(|squared| z * squared.max(0.0).sqrt());
-    let near_far = log.samples.iter().filter(|sample| sample.loss_db.is_some()).map(|sample| sample.distance_m);
+    let near_far =
+        log.samples.iter().filter(|sample| sample.loss_db.is_some()).map(|sample| sample.distance_m);
     let (near_m, far_m) = near_far.fold((f64::INFINITY, 0.0), |(l, h): (f64, f64), m| (l.min(m), h.max(m)));
     let exponents = exponents::by_link(&mut likelihood, &places, log, share, variance);
     let mut fit = Fit {
@@ -291,13 +305,7 @@ pub fn fit(log: &Log, options: &FitOptions) -> Result<Fit, FitError> {
 }
 
 /// Every so many packets against the fit.
-fn residuals(
-    log: &Log,
-    index: &Index,
-    static_db: &[f64],
-    line: [f64; 2],
-    reference_m: f64,
-) -> Vec<Residual> {
+fn residuals(log: &Log, index: &Index, static_db: &[f64], line: [f64; 2], reference_m: f64) -> Vec<Residual> {
     let every = log.heard().div_ceil(RESIDUALS).max(1);
     let heard = log.samples.iter().enumerate().filter(|(_, sample)| sample.loss_db.is_some());
     let told = heard.step_by(every).filter_map(|(nth, sample)| {

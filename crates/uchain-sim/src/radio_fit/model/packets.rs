@@ -90,7 +90,11 @@ impl Counted {
         }
         let readings = bins.into_iter().map(|(bin, count)| (bin as f64 * BIN_DB, count)).collect();
         let lost = places.iter().zip(expected_db).filter(|(place, _)| place.lost > 0.0);
-        Self { readings, lost: lost.map(|(place, expected_db)| (*expected_db, place.lost)).collect(), greatest_db }
+        Self {
+            readings,
+            lost: lost.map(|(place, expected_db)| (*expected_db, place.lost)).collect(),
+            greatest_db,
+        }
     }
 
     /// The curve by which the packets were lost; `None` where chance alone explains it as well.
@@ -108,12 +112,14 @@ impl Counted {
         };
         let minus = |x: [f64; 3]| {
             let curve = curve_of(x);
-            let heard: f64 = self.readings.iter().map(|(db, count)| count * libm::log(curve.heard(*db))).sum();
+            let heard: f64 =
+                self.readings.iter().map(|(db, count)| count * libm::log(curve.heard(*db))).sum();
             let lost: f64 =
                 self.lost.iter().map(|(db, count)| count * libm::log(curve.lost(*db, sigma_db)[0])).sum();
             -heard - lost
         };
-        let starts = [[-4.0, self.greatest_db, -1.0], [libm::log(share / (1.0 - share)), self.greatest_db, 0.0]];
+        let starts =
+            [[-4.0, self.greatest_db, -1.0], [libm::log(share / (1.0 - share)), self.greatest_db, 0.0]];
         let (best, value) = starts
             .map(|start| simplex(start, [1.0, -3.0, 0.7], &minus))
             .into_iter()
@@ -172,7 +178,8 @@ fn simplex(start: [f64; 3], steps: [f64; 3], of: &dyn Fn([f64; 3]) -> f64) -> ([
         if worst.1 - corners[0].1 < 1e-4 {
             break;
         }
-        let middle: [f64; 3] = std::array::from_fn(|i| (corners[0].0[i] + corners[1].0[i] + corners[2].0[i]) / 3.0);
+        let middle: [f64; 3] =
+            std::array::from_fn(|i| (corners[0].0[i] + corners[1].0[i] + corners[2].0[i]) / 3.0);
         let toward = |far: f64| with(std::array::from_fn(|i| middle[i] + far * (worst.0[i] - middle[i])));
         let reflected = toward(-1.0);
         if reflected.1 < corners[0].1 {

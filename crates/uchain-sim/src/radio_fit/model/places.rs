@@ -6,6 +6,8 @@ use crate::radio_fit::{Log, Sample};
 
 /// Most places; more samples than that share cells of a grid.
 pub(super) const PLACES_MAX: usize = 3_000;
+/// Most places of a link, so that blocks of them are long against what hangs together.
+const OF_A_LINK: usize = 480;
 /// First side of such a cell (m), and by what it grows.
 const CELL_M: f64 = 0.01;
 const GROWS: f64 = 1.3;
@@ -25,6 +27,8 @@ pub(super) struct Place {
     /// Their mean loss (dB), and the sum of squares about it (dB²).
     pub(super) loss_db: f64,
     pub(super) squares: f64,
+    /// Sum of squares of its packets' ends about their middle (m²), of each end.
+    pub(super) spread_m2: [f64; 2],
     /// Packets that were not.
     pub(super) lost: f64,
     /// As how many heard packets it counts, and their loss (dB): those that were not heard taken in.
@@ -89,7 +93,7 @@ fn places_in(log: &Log, reference_m: f64, cell_m: f64) -> Option<(Vec<Place>, In
     for sample in &log.samples {
         let at = *known.entry((sample.link, sample.ends_m.map(|m| key(m, cell_m)))).or_insert(places.len());
         if at == places.len() {
-            if at == PLACES_MAX {
+            if at == PLACES_MAX.min(OF_A_LINK * log.links.len().max(1)) {
                 return None;
             }
             places.push(Place {
@@ -100,6 +104,7 @@ fn places_in(log: &Log, reference_m: f64, cell_m: f64) -> Option<(Vec<Place>, In
                 heard: 0.0,
                 loss_db: 0.0,
                 squares: 0.0,
+                spread_m2: [0.0; 2],
                 lost: 0.0,
                 weight: 0.0,
                 level_db: 0.0,
@@ -110,8 +115,10 @@ fn places_in(log: &Log, reference_m: f64, cell_m: f64) -> Option<(Vec<Place>, In
         let Some(place) = places.get_mut(at) else { continue };
         let count = place.heard + place.lost + 1.0;
         let decades = libm::log10(sample.distance_m.max(reference_m) / reference_m);
-        for (mean_m, m) in place.ends_m.iter_mut().zip(sample.ends_m) {
-            *mean_m += (m - *mean_m) / count;
+        for (axis, (mean_m, m)) in place.ends_m.iter_mut().zip(sample.ends_m).enumerate() {
+            let off_m = m - *mean_m;
+            *mean_m += off_m / count;
+            place.spread_m2[axis / 3] += off_m * (m - *mean_m);
         }
         place.distance_m += (sample.distance_m - place.distance_m) / count;
         place.decades += (decades - place.decades) / count;
@@ -128,6 +135,14 @@ fn places_in(log: &Log, reference_m: f64, cell_m: f64) -> Option<(Vec<Place>, In
         place.forget_lost();
     }
     Some((places, Index { known, cell_m }))
+}
+
+/// How far apart two packets of one place lie on average (m), both ends together: 2/√3 of the standard deviation, as on a line
+/// along which they lie evenly.
+pub(super) fn spread_m(places: &[Place]) -> f64 {
+    let count: f64 = places.iter().map(|place| place.heard + place.lost).sum();
+    let of = |end: usize| places.iter().map(|place| place.spread_m2[end]).sum::<f64>() / count.max(1.0);
+    1.1547 * (of(0).max(0.0).sqrt() + of(1).max(0.0).sqrt())
 }
 
 /// Indices of places in blocks of one link each, no larger than so many, near ones together.

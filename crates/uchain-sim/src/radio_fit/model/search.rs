@@ -71,11 +71,19 @@ fn grid(likelihood: &mut Likelihood, places: &[Place], area: [(f64, f64); 2], si
 }
 
 /// The best of all, from a start or from everywhere.
-pub(super) fn best(likelihood: &mut Likelihood, places: &[Place], bounds: Bounds, start: Option<Point>) -> Node {
+pub(super) fn best(
+    likelihood: &mut Likelihood,
+    places: &[Place],
+    bounds: Bounds,
+    start: Option<Point>,
+) -> Node {
     let area = bounds.box_of();
     let start = start.unwrap_or_else(|| {
         let nodes = grid(likelihood, places, area, COARSE);
-        nodes.iter().min_by(|a, b| a.deviance.total_cmp(&b.deviance)).map_or([0.0, area[1].0], |node| node.point)
+        nodes
+            .iter()
+            .min_by(|a, b| a.deviance.total_cmp(&b.deviance))
+            .map_or([0.0, area[1].0], |node| node.point)
     });
     let inside = |point: Point| std::array::from_fn(|i| bounded(point[i], area[i].0, area[i].1));
     // Nelder and Mead's simplex.
@@ -85,7 +93,8 @@ pub(super) fn best(likelihood: &mut Likelihood, places: &[Place], bounds: Bounds
     for _ in 0..STEPS {
         simplex.sort_by(|a, b| a.deviance.total_cmp(&b.deviance));
         let [first, second, worst] = simplex;
-        let spread = |i: usize| (worst.point[i] - first.point[i]).abs().max((second.point[i] - first.point[i]).abs());
+        let spread =
+            |i: usize| (worst.point[i] - first.point[i]).abs().max((second.point[i] - first.point[i]).abs());
         if (worst.deviance - first.deviance).abs() < NEAR && spread(0) < 0.1 && spread(1) < 0.1 {
             break;
         }
@@ -116,7 +125,12 @@ pub(super) fn best(likelihood: &mut Likelihood, places: &[Place], bounds: Bounds
 }
 
 /// The best, and the likelihood around it as far as it counts.
-pub(super) fn surface(likelihood: &mut Likelihood, places: &[Place], bounds: Bounds, start: Point) -> Surface {
+pub(super) fn surface(
+    likelihood: &mut Likelihood,
+    places: &[Place],
+    bounds: Bounds,
+    start: Point,
+) -> Surface {
     let area = bounds.box_of();
     let coarse = grid(likelihood, places, area, COARSE);
     let nearest = coarse.iter().min_by(|a, b| a.deviance.total_cmp(&b.deviance));
@@ -165,7 +179,8 @@ impl Surface {
         for u in 0..steps {
             for t in 0..steps {
                 let (row, column) = ((u / BETWEEN).min(side - 1), (t / BETWEEN).min(side - 1));
-                let (a, b) = (u as f64 / BETWEEN as f64 - row as f64, t as f64 / BETWEEN as f64 - column as f64);
+                let (a, b) =
+                    (u as f64 / BETWEEN as f64 - row as f64, t as f64 / BETWEEN as f64 - column as f64);
                 let corner = |down: usize, right: usize| &self.nodes[(row + down) * FINE + column + right];
                 let mix = |of: &dyn Fn(&Node) -> f64| {
                     (1.0 - a) * ((1.0 - b) * of(corner(0, 0)) + b * of(corner(0, 1)))

@@ -31,7 +31,8 @@ pub(super) fn judge(fit: &mut Fit, seen: &Seen<'_>) {
             "distances from {near_m:.2} to {far_m:.2} m tell no exponent: expected the farthest at least {SPAN} times the nearest"
         ));
     }
-    let mut distances: Vec<f64> = seen.places.iter().filter(|place| place.heard > 0.0).map(|place| place.distance_m).collect();
+    let mut distances: Vec<f64> =
+        seen.places.iter().filter(|place| place.heard > 0.0).map(|place| place.distance_m).collect();
     distances.sort_by(f64::total_cmp);
     distances.dedup_by(|a, b| (*a - *b).abs() < 0.02 * b.max(0.01));
     if distances.len() < PLACES {
@@ -53,9 +54,13 @@ pub(super) fn judge(fit: &mut Fit, seen: &Seen<'_>) {
             from.0, to.0, from.1, to.1
         );
         if by_db > FALL * rise_db.max(0.0) && by_db > 3.0 * error_db {
-            refusals.push(format!("{words}, and the line rises by {rise_db:.1} dB over all distances: no line describes that"));
+            refusals.push(format!(
+                "{words}, and the line rises by {rise_db:.1} dB over all distances: no line describes that"
+            ));
         } else if by_db > 3.0 * error_db.max(0.5) {
-            warnings.push(format!("{words}: shadowing, or a wave off floor and walls, more than a line knows of"));
+            warnings.push(format!(
+                "{words}: shadowing, or a wave off floor and walls, more than a line knows of"
+            ));
         }
     }
     exponents(fit, &mut refusals, &mut warnings);
@@ -90,7 +95,10 @@ fn exponents(fit: &Fit, refusals: &mut Vec<String>, warnings: &mut Vec<String>) 
 fn shadowing(fit: &Fit, seen: &Seen<'_>, warnings: &mut Vec<String>) {
     let Seen { spacing_m, extent_m, .. } = *seen;
     if !fit.has_static() {
-        warnings.push("shadowing that stays with the place is not told from noise: all of it counts as noise".to_owned());
+        warnings.push(
+            "shadowing that stays with the place is not told from noise: all of it counts as noise"
+                .to_owned(),
+        );
         return;
     }
     let length = &fit.correlation_m;
@@ -143,7 +151,8 @@ fn fall(places: &[Place]) -> Option<Fall> {
     let mut bins: Vec<[f64; 4]> = Vec::new();
     for place in heard {
         let n = place.heard;
-        let more = [n, n * place.distance_m, n * place.loss_db, n * place.loss_db * place.loss_db + place.squares];
+        let more =
+            [n, n * place.distance_m, n * place.loss_db, n * place.loss_db * place.loss_db + place.squares];
         match bins.last_mut() {
             Some(bin) if bin[0] + 0.5 * n <= most => {
                 for (sum, more) in bin.iter_mut().zip(more) {

@@ -9,7 +9,13 @@ fn fitted(log: &Log) -> Fit {
 
 /// How many of so many draws have each truth within its interval: L0, exponent, noise, shadowing, length, and the exponent
 /// within what least squares claims.
-fn covered(draws: std::ops::Range<u64>, truth: &Truth, places: usize, step_m: f64, packets: usize) -> [usize; 6] {
+fn covered(
+    draws: std::ops::Range<u64>,
+    truth: &Truth,
+    places: usize,
+    step_m: f64,
+    packets: usize,
+) -> [usize; 6] {
     let mut held = [0; 6];
     for seed in draws {
         let fit = fitted(&walk(seed, truth, places, step_m, packets));
@@ -66,10 +72,18 @@ fn intervals_hold_the_truth_in_nineteen_of_twenty_of_200_draws() {
 fn packets_that_were_not_heard_take_the_bias_off_the_exponent() {
     let truth = Truth { limit_db: 80.0, sigma_static_db: 0.5, ..TRUTH };
     let log = walk(3, &truth, 150, 0.2, 4);
-    let deaf = Log { samples: log.samples.iter().filter(|sample| sample.loss_db.is_some()).cloned().collect(), ..log.clone() };
+    let deaf = Log {
+        samples: log.samples.iter().filter(|sample| sample.loss_db.is_some()).cloned().collect(),
+        ..log.clone()
+    };
     let (told, cut) = (fitted(&log), fitted(&deaf));
     assert!(told.packets.heard + 50 < told.packets.sent, "{:?}", told.packets);
-    assert!(told.alpha.holds(2.5) && (told.alpha.value - 2.5).abs() < (cut.alpha.value - 2.5).abs(), "{} {}", told.alpha.value, cut.alpha.value);
+    assert!(
+        told.alpha.holds(2.5) && (told.alpha.value - 2.5).abs() < (cut.alpha.value - 2.5).abs(),
+        "{} {}",
+        told.alpha.value,
+        cut.alpha.value
+    );
     assert!(cut.alpha.value < 2.4, "the control: {}", cut.alpha.value);
     assert!((told.packets.limit_db.unwrap() - 80.0).abs() < 1.0, "{:?}", told.packets);
     assert!(cut.packets.limit_db.is_none());
@@ -98,19 +112,35 @@ fn of_distances(loss_db: impl Fn(f64, usize) -> f64, distances_m: &[f64]) -> Log
         distance_m,
         ends_m: [distance_m, 0.0, 0.0, 0.0, 0.0, 0.0],
     });
-    Log { label: "told".to_owned(), links: vec![String::new()], samples: samples.collect(), has_places: false, notes: Vec::new() }
+    Log {
+        label: "told".to_owned(),
+        links: vec![String::new()],
+        samples: samples.collect(),
+        has_places: false,
+        notes: Vec::new(),
+    }
 }
 
 #[test]
 fn data_that_support_no_fit_are_refused_with_the_reason_and_give_no_table() {
     let line = |m: f64, _: usize| 35.0 + 25.0 * libm::log10(m / 0.25);
     let good = fitted(&of_distances(line, &[0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0]));
-    assert!(good.refusals.is_empty() && good.radio_toml().is_some() && !good.sets().is_empty(), "{:?}", good.refusals);
+    assert!(
+        good.refusals.is_empty() && good.radio_toml().is_some() && !good.sets().is_empty(),
+        "{:?}",
+        good.refusals
+    );
     let humped = |m: f64, _: usize| if m < 2.0 { 40.0 + 10.0 * m } else { 60.0 - 4.0 * (m - 2.0) };
     for (log, reason) in [
-        (of_distances(line, &[3.0, 3.2, 3.4, 3.6, 3.8, 4.0]), "distances from 3.00 to 4.00 m tell no exponent"),
+        (
+            of_distances(line, &[3.0, 3.2, 3.4, 3.6, 3.8, 4.0]),
+            "distances from 3.00 to 4.00 m tell no exponent",
+        ),
         (of_distances(line, &[1.0, 3.0, 9.0]), "3 distances that differ are too few"),
-        (of_distances(humped, &[0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0]), "the mean loss falls with the distance"),
+        (
+            of_distances(humped, &[0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0]),
+            "the mean loss falls with the distance",
+        ),
         (of_distances(|_, _| 50.0, &[0.5, 1.0, 2.0, 3.0, 4.0, 5.0]), "holds 0 or less"),
     ] {
         let fit = fitted(&log);
@@ -120,11 +150,16 @@ fn data_that_support_no_fit_are_refused_with_the_reason_and_give_no_table() {
     }
     // Links of which each is a clean line, and no line is both.
     let mut two = of_distances(line, &[0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0]);
-    let steep = of_distances(|m, _| 35.0 + 40.0 * libm::log10(m / 0.25), &[0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0]);
+    let steep =
+        of_distances(|m, _| 35.0 + 40.0 * libm::log10(m / 0.25), &[0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0]);
     two.links = vec!["a".to_owned(), "b".to_owned()];
-    two.samples.extend(steep.samples.into_iter().map(|sample| crate::radio_fit::Sample { link: 1, ..sample }));
+    two.samples
+        .extend(steep.samples.into_iter().map(|sample| crate::radio_fit::Sample { link: 1, ..sample }));
     let fit = fitted(&two);
-    assert!(fit.exponents_agree.unwrap() < 0.01 || fit.warnings.iter().any(|words| words.contains("range from")), "{fit:?}");
+    assert!(
+        fit.exponents_agree.unwrap() < 0.01 || fit.warnings.iter().any(|words| words.contains("range from")),
+        "{fit:?}"
+    );
     let few = of_distances(line, &[1.0]);
     assert!(fit_error(&few).contains("at 1 places: expected at least 8 at 3"));
 }
@@ -138,24 +173,30 @@ fn a_length_that_no_walk_tells_is_said_to_be_open() {
     // 4 m of walk under shadowing of 20 m.
     let fit = fitted(&walk(2, &Truth { correlation_m: 20.0, ..TRUTH }, 40, 0.1, 3));
     assert!(
-        fit.warnings.iter().any(|words| words.contains("not bounded above") || words.contains("not told from noise")),
+        fit.warnings
+            .iter()
+            .any(|words| words.contains("not bounded above") || words.contains("not told from noise")),
         "{:?}",
         fit.warnings
     );
 }
 
 #[test]
-fn many_packets_are_counted_together_in_bounded_time_and_say_the_same() {
-    let log = walk(1, &TRUTH, 12_000, 0.002, 2);
-    let fit = fitted(&log);
+fn many_packets_are_counted_together_in_bounded_time_and_their_intervals_hold_as_well() {
+    let fit = fitted(&walk(1, &TRUTH, 6_000, 0.004, 1));
     assert!(fit.places <= places::PLACES_MAX && fit.cell_m > 0.0, "{} {}", fit.places, fit.cell_m);
-    assert!(fit.alpha.holds(2.5) && (fit.sigma_db.value - 3.0).abs() < 0.1, "{:?} {:?}", fit.alpha, fit.sigma_db);
+    let held = covered(0..6, &TRUTH, 6_000, 0.004, 1);
+    assert!(held[..5].iter().all(|held| *held >= 4), "{held:?}");
 }
 
 /// The fitting of what the simulator's own radio loses: its shadowing is a sum of waves, its noise that of a channel.
 #[test]
 fn a_log_of_the_simulator_is_fitted_back() {
-    use crate::{config::builtin, mission::chain::Course, seed::{Seed, Source}};
+    use crate::{
+        config::builtin,
+        mission::chain::Course,
+        seed::{Seed, Source},
+    };
     let sets = [
         "map.corridor.centre_line_m=[[0.0, 0.0], [40.0, 0.0]]",
         "radio.sigma_static_db=4",
@@ -171,7 +212,8 @@ fn a_log_of_the_simulator_is_fitted_back() {
         let samples = (0..300_u16).map(|nth| {
             let distance_m = 0.5 + 0.1 * f32::from(nth / 2 * 2);
             let at = course.base + glam::Vec2::new(distance_m, 0.0);
-            let loss_db = radio.loss_db(&course.map, &base, &crate::radio::Antenna::from(at)) + 3.0 * stream.normal();
+            let loss_db =
+                radio.loss_db(&course.map, &base, &crate::radio::Antenna::from(at)) + 3.0 * stream.normal();
             let [x1, y1, x2, y2] = [at.x, at.y, course.base.x, course.base.y].map(f64::from);
             crate::radio_fit::Sample {
                 line: 2,
@@ -182,7 +224,8 @@ fn a_log_of_the_simulator_is_fitted_back() {
             }
         });
         let (label, links) = ("flown".to_owned(), vec![String::new()]);
-        let fit = fitted(&Log { label, links, samples: samples.collect(), has_places: true, notes: Vec::new() });
+        let fit =
+            fitted(&Log { label, links, samples: samples.collect(), has_places: true, notes: Vec::new() });
         let truths = [
             (fit.reference_loss_db, 35.0),
             (fit.alpha, 2.5),

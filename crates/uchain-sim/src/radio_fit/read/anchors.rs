@@ -47,7 +47,10 @@ impl Anchors {
             let at_m = [number(x, "x")?, number(y, "y")?, z.map_or(Ok(0.0), |z| number(z, "z"))?];
             let name = cells.get(id).copied().unwrap_or_default();
             if known.iter().any(|(other, _)| other == name) {
-                return Err(line_error(line, format!("'{}' twice: expected each anchor once", shorten(name))));
+                return Err(line_error(
+                    line,
+                    format!("'{}' twice: expected each anchor once", shorten(name)),
+                ));
             }
             if known.len() == LINKS_MAX {
                 return Err(line_error(line, format!("more than {LINKS_MAX} anchors")));

@@ -29,12 +29,7 @@ const FAR_M: f64 = 1e6;
 const METRES: (f64, f64, &str) =
     (-FAR_M, FAR_M, "expected metres; from millimetres: --columns OURS=THEIRS*0.001");
 
-const fn column(
-    name: &'static str,
-    of: Of,
-    sound: (f64, f64, &'static str),
-    about: &'static str,
-) -> Column {
+const fn column(name: &'static str, of: Of, sound: (f64, f64, &'static str), about: &'static str) -> Column {
     Column { name, of, sound, about }
 }
 
@@ -49,7 +44,11 @@ pub(super) const COLUMNS: &[Column] = &[
     column(
         "loss_db",
         Of::Loss,
-        (-40.0, 400.0, "is it a received power in dBm? then the column is rssi_dbm: --columns rssi_dbm=THEIRS"),
+        (
+            -40.0,
+            400.0,
+            "is it a received power in dBm? then the column is rssi_dbm: --columns rssi_dbm=THEIRS",
+        ),
         "instead of it: what the link lost, positive; empty or nan: sent and not heard",
     ),
     column(

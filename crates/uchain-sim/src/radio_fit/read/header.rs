@@ -40,10 +40,15 @@ impl Header {
 
     /// Of the names in the first line, or what is wrong with them.
     pub(super) fn of(names: &[&str], mapping: &Mapping, anchors: Option<&Anchors>) -> Result<Self, String> {
-        let mut header = Self { losses: Vec::new(), numbers: Vec::new(), link: None, walk: None, left_out: Vec::new() };
+        let mut header =
+            Self { losses: Vec::new(), numbers: Vec::new(), link: None, walk: None, left_out: Vec::new() };
         let mut read = vec![false; names.len()];
         for column in COLUMNS {
-            let own = || names.iter().position(|name| columns::find(name).is_some_and(|found| found.name == column.name));
+            let own = || {
+                names
+                    .iter()
+                    .position(|name| columns::find(name).is_some_and(|found| found.name == column.name))
+            };
             let from = match mapping.theirs(column) {
                 None => own().map(|place| From::Cell { place, factor: 1.0, name: names[place].to_owned() }),
                 Some(Theirs::Constant(value)) => Some(From::Constant(*value)),
@@ -87,7 +92,10 @@ impl Header {
         read: &mut [bool],
     ) -> Result<(), String> {
         if !matches!(column.of, Of::Rssi | Of::Loss) {
-            return Err(format!("--columns {}={before}*{after}: only losses may have a column for every link", column.name));
+            return Err(format!(
+                "--columns {}={before}*{after}: only losses may have a column for every link",
+                column.name
+            ));
         }
         let links = names.iter().enumerate().filter_map(|(place, name)| {
             let link = name.strip_prefix(before)?.strip_suffix(after)?;
@@ -101,7 +109,9 @@ impl Header {
         }
         match self.losses.len() {
             0 => Err(format!("no column is called {before}*{after}; there are {}", some(names))),
-            count if count > LINKS_MAX => Err(format!("more than {LINKS_MAX} columns are called {before}*{after}")),
+            count if count > LINKS_MAX => {
+                Err(format!("more than {LINKS_MAX} columns are called {before}*{after}"))
+            }
             _ => Ok(()),
         }
     }
@@ -112,7 +122,8 @@ impl Header {
         let words = "(columns: uchain radio fit --help; other names: --columns OURS=THEIRS)";
         if self.losses.is_empty() {
             let near = names.iter().find_map(|name| nearest(name, &["rssi_dbm", "loss_db"]));
-            let near = near.map(|(name, ours)| format!("; did you mean '{ours}' by '{name}'?")).unwrap_or_default();
+            let near =
+                near.map(|(name, ours)| format!("; did you mean '{ours}' by '{name}'?")).unwrap_or_default();
             return Err(format!("no column rssi_dbm or loss_db{near}; there are {} {words}", some(names)));
         }
         if self.losses.iter().any(|losses| losses.column.of != self.losses[0].column.of) {
@@ -122,14 +133,20 @@ impl Header {
         let second = (has(Of::End(3)) && has(Of::End(4))) || anchors.is_some();
         if !has(Of::Distance) && !(first && second) {
             let missing = match (first, second) {
-                (true, false) => "x1_m and y1_m are there, but not where the other end is: x2_m and y2_m, or --anchors FILE",
+                (true, false) => {
+                    "x1_m and y1_m are there, but not where the other end is: x2_m and y2_m, or --anchors FILE"
+                }
                 (false, true) => "the other end is known, but not x1_m and y1_m",
                 _ => "no column distance_m, and no places x1_m, y1_m, x2_m, y2_m",
             };
             return Err(format!("{missing}; there are {} {words}", some(names)));
         }
-        if anchors.is_some() && self.link.is_none() && self.losses.iter().any(|losses| losses.link.is_none()) {
-            return Err(format!("--anchors needs to know who was heard: no column link, nor rssi_dbm=NAME* in --columns; there are {}", some(names)));
+        if anchors.is_some() && self.link.is_none() && self.losses.iter().any(|losses| losses.link.is_none())
+        {
+            return Err(format!(
+                "--anchors needs to know who was heard: no column link, nor rssi_dbm=NAME* in --columns; there are {}",
+                some(names)
+            ));
         }
         Ok(())
     }
@@ -144,7 +161,9 @@ fn nearest(name: &str, ours: &[&str]) -> Option<(String, String)> {
 fn not_there(name: &str, names: &[&str]) -> String {
     let known = names.iter().map(|&name| name.to_owned()).collect();
     match Choices::for_word(name, known).nearest {
-        Some(nearest) => format!("no column is called '{}'; did you mean '{}'?", shorten(name), shorten(&nearest)),
+        Some(nearest) => {
+            format!("no column is called '{}'; did you mean '{}'?", shorten(name), shorten(&nearest))
+        }
         None => format!("no column is called '{}'; there are {}", shorten(name), some(names)),
     }
 }

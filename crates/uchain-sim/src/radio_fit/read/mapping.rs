@@ -74,7 +74,8 @@ impl Theirs {
                 Err(format!("'{text}': expected a number, or the name of a column"))
             };
         }
-        let scaled = text.rsplit_once('*').and_then(|(name, factor)| Some((name, factor.parse::<f64>().ok()?)));
+        let scaled =
+            text.rsplit_once('*').and_then(|(name, factor)| Some((name, factor.parse::<f64>().ok()?)));
         let (name, factor) = scaled.unwrap_or((text, 1.0));
         if name.is_empty() || !factor.is_finite() || factor == 0.0 {
             return Err(format!("'{}': expected the name of a column, perhaps with *FACTOR", shorten(text)));

@@ -72,11 +72,7 @@ impl Log {
     ///
     /// # Errors
     /// [`FitError`], with file, line and column.
-    pub fn read(
-        path: &Path,
-        anchors: Option<&Path>,
-        options: &ReadOptions,
-    ) -> Result<Self, FitError> {
+    pub fn read(path: &Path, anchors: Option<&Path>, options: &ReadOptions) -> Result<Self, FitError> {
         let anchors = match anchors {
             Some(path) => Some((text(path)?, path.display().to_string())),
             None => None,

@@ -34,7 +34,8 @@ pub(super) fn read(
     for (line, row) in lines {
         table::cells(row, &mut cells).ok_or_else(|| broken(line))?;
         if cells.len() != names.len() {
-            let why = format!("{} cells: expected {}, as many as there are columns", cells.len(), names.len());
+            let why =
+                format!("{} cells: expected {}, as many as there are columns", cells.len(), names.len());
             return Err(line_error(line, why));
         }
         rows.row(line, &cells)?;
@@ -74,10 +75,17 @@ struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    fn new(label: &'a str, header: &'a Header, anchors: Option<&'a Anchors>, options: &'a ReadOptions) -> Self {
+    fn new(
+        label: &'a str,
+        header: &'a Header,
+        anchors: Option<&'a Anchors>,
+        options: &'a ReadOptions,
+    ) -> Self {
         let has = |of: Of| header.number(of).is_some();
-        let has_places = has(Of::End(0)) && has(Of::End(1)) && (has(Of::End(3)) && has(Of::End(4)) || anchors.is_some());
-        let other = if has(Of::End(3)) { has(Of::End(5)) } else { anchors.is_some_and(|anchors| anchors.has_height) };
+        let has_places =
+            has(Of::End(0)) && has(Of::End(1)) && (has(Of::End(3)) && has(Of::End(4)) || anchors.is_some());
+        let other =
+            if has(Of::End(3)) { has(Of::End(5)) } else { anchors.is_some_and(|anchors| anchors.has_height) };
         Self {
             label,
             header,
@@ -102,7 +110,13 @@ impl<'a> Rows<'a> {
     }
 
     /// The number that a row has for a column; `None` of an empty cell and of one that says so.
-    fn number(&self, line: usize, cells: &[&str], column: &Column, from: &From) -> Result<Option<f64>, FitError> {
+    fn number(
+        &self,
+        line: usize,
+        cells: &[&str],
+        column: &Column,
+        from: &From,
+    ) -> Result<Option<f64>, FitError> {
         let (value, name, got) = match from {
             From::Constant(value) => (*value, column.name, ""),
             From::Cell { place, factor, name } => {
@@ -136,7 +150,8 @@ impl<'a> Rows<'a> {
         for (place, end_m) in ends_m.iter_mut().enumerate() {
             *end_m = number(Of::End(place))?;
         }
-        let cell = |place: Option<usize>| place.and_then(|place| cells.get(place)).copied().unwrap_or_default();
+        let cell =
+            |place: Option<usize>| place.and_then(|place| cells.get(place)).copied().unwrap_or_default();
         let (link, walk) = (cell(header.link), cell(header.walk));
         for losses in &header.losses {
             let link = losses.link.as_deref().unwrap_or(link);
@@ -182,7 +197,12 @@ impl<'a> Rows<'a> {
             (None, Some(anchors)) => Some(anchors.at(link).ok_or_else(|| FitError::Line {
                 label: self.label.to_owned(),
                 line,
-                why: format!("no anchor '{}' in {}: it has {}", shorten(link), anchors.label, anchors.names()),
+                why: format!(
+                    "no anchor '{}' in {}: it has {}",
+                    shorten(link),
+                    anchors.label,
+                    anchors.names()
+                ),
             })?),
         };
         let (Some((x1, y1)), Some([x2, y2, z2])) = (x1.zip(y1), other) else { return Ok(None) };
@@ -257,20 +277,37 @@ impl<'a> Rows<'a> {
             notes.push(format!("{} packets were not heard by gaps in seq, and are put on the straight way between those that were", self.gaps));
         }
         if self.breaks > 0 {
-            notes.push(format!("seq starts anew or leaps in {} places: no packet is counted as lost there", self.breaks));
+            notes.push(format!(
+                "seq starts anew or leaps in {} places: no packet is counted as lost there",
+                self.breaks
+            ));
         }
         if self.no_place > 0 {
             notes.push(format!("{} packets without a place or distance are left out", self.no_place));
         }
         if self.zeros > 0 {
-            notes.push(format!("{} readings are exactly 0: where that stands for a packet that was not heard, add --lost 0", self.zeros));
+            notes.push(format!(
+                "{} readings are exactly 0: where that stands for a packet that was not heard, add --lost 0",
+                self.zeros
+            ));
         }
         if !self.has_places {
             notes.push("distances only: all packets of a distance count as packets of one place".to_owned());
         }
         // Where names are mapped, what is not named is not meant.
-        let unmeant = self.header.left_out.iter().filter_map(|name| looks_meant(name)).filter(|_| self.options.mapping.is_empty());
+        let unmeant = self
+            .header
+            .left_out
+            .iter()
+            .filter_map(|name| looks_meant(name))
+            .filter(|_| self.options.mapping.is_empty());
         notes.extend(unmeant.map(|words| format!("not read: {words}")));
-        Log { label: self.label.to_owned(), links: self.links, samples: self.samples, has_places: self.has_places, notes }
+        Log {
+            label: self.label.to_owned(),
+            links: self.links,
+            samples: self.samples,
+            has_places: self.has_places,
+            notes,
+        }
     }
 }

@@ -21,7 +21,10 @@ fn the_template_is_a_log_of_two_heard_packets_and_a_lost_one() {
 
 #[test]
 fn a_gap_in_seq_is_packets_that_were_not_heard_on_the_way_between() {
-    let log = log("loss_db,x_m,y_m,anchor_x_m,anchor_y_m,seq,walk\n40,1,0,0,0,7,a\n46,4,0,0,0,10,a\n50,1,0,0,0,0,b\n").unwrap();
+    let log = log(
+        "loss_db,x_m,y_m,anchor_x_m,anchor_y_m,seq,walk\n40,1,0,0,0,7,a\n46,4,0,0,0,10,a\n50,1,0,0,0,0,b\n",
+    )
+    .unwrap();
     let told: Vec<_> = log.samples.iter().map(|sample| (sample.loss_db, sample.distance_m)).collect();
     assert_eq!(told, [(Some(40.0), 1.0), (None, 2.0), (None, 3.0), (Some(46.0), 4.0), (Some(50.0), 1.0)]);
     assert!(log.notes.iter().any(|note| note.starts_with("2 packets were not heard")), "{:?}", log.notes);
@@ -47,7 +50,10 @@ fn somebody_elses_columns_are_read_without_a_copy() {
 fn what_is_wrong_is_said_with_line_column_and_remedy() {
     let cases = [
         ("", "log.csv: empty: expected a table"),
-        ("rsi_dbm,distance_m\n-4,2\n", "log.csv:1: no column rssi_dbm or loss_db; did you mean 'rssi_dbm' by 'rsi_dbm'?"),
+        (
+            "rsi_dbm,distance_m\n-4,2\n",
+            "log.csv:1: no column rssi_dbm or loss_db; did you mean 'rssi_dbm' by 'rsi_dbm'?",
+        ),
         ("rssi_dbm,x_m,y_m\n-4,2,1\n", "log.csv:1: x1_m and y1_m are there, but not where the other end is"),
         ("rssi_dbm,loss_db,distance_m\n-4,4,2\n", "are one thing"),
         ("rssi_dbm,distance_m\n-40\n", "log.csv:2: 1 cells: expected 2"),
@@ -65,7 +71,8 @@ fn what_is_wrong_is_said_with_line_column_and_remedy() {
     }
     let error = mapped("d,rssi\n1,-2\n", "distance_m=dd,rssi_dbm=rssi", None).unwrap_err();
     assert!(error.contains("no column is called 'dd'"), "{error}");
-    let error = mapped("x,y,link,r\n1,2,c,-3\n", "x1_m=x,y1_m=y,rssi_dbm=r", Some("id,x,y\na,0,0\n")).unwrap_err();
+    let error =
+        mapped("x,y,link,r\n1,2,c,-3\n", "x1_m=x,y1_m=y,rssi_dbm=r", Some("id,x,y\na,0,0\n")).unwrap_err();
     assert!(error.contains("log.csv:2: no anchor 'c' in anchors.csv: it has a"), "{error}");
     for wrong in ["distance=d", "distance_m", "distance_m=a*b*", "distance_m=inf", "loss_db=a,loss_db=b"] {
         assert!(wrong.parse::<Mapping>().is_err(), "{wrong}");

@@ -51,7 +51,8 @@ impl Fit {
             drawn("", Stroke::Dashed, line(1.96)),
             drawn("fit, 95 %", Stroke::Solid, line(0.0)),
         ]);
-        let mut against = self.dots(|residual| (log(residual.distance_m), residual.loss_db - residual.line_db));
+        let mut against =
+            self.dots(|residual| (log(residual.distance_m), residual.loss_db - residual.line_db));
         against.push(Mark::Level { name: String::new(), y: 0.0 });
         let mut way = self.dots(|residual| (residual.sample as f64, residual.loss_db - residual.line_db));
         for link in 0..self.links.len().min(COLOURS) {

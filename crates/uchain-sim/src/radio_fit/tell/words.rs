@@ -41,7 +41,8 @@ impl Fit {
         );
         let mut row = |name: &str, of: &Interval, unit: &str, decimals: usize| {
             let unit = format!("{unit:<3}");
-            let _ = writeln!(text, "  {name:<26}{:>8.decimals$} {unit} (95 %: {})", of.value, of.words(decimals));
+            let _ =
+                writeln!(text, "  {name:<26}{:>8.decimals$} {unit} (95 %: {})", of.value, of.words(decimals));
         };
         row(&format!("loss at {} m, L0", self.reference_m), &self.reference_loss_db, "dB", 1);
         row("exponent, alpha", &self.alpha, "", 2);
@@ -125,13 +126,23 @@ impl Fit {
         let about = |of: &Interval, decimals: usize| format!("95 %: {}", of.words(decimals));
         let mut keys = vec![
             ("radio", "reference_m", self.reference_m, String::new()),
-            ("radio", "reference_loss_db", round(self.reference_loss_db.value), about(&self.reference_loss_db, 1)),
+            (
+                "radio",
+                "reference_loss_db",
+                round(self.reference_loss_db.value),
+                about(&self.reference_loss_db, 1),
+            ),
             ("radio", "alpha_free", round(self.alpha.value), about(&self.alpha, 2)),
         ];
         if self.has_static() {
             keys.extend([
                 ("radio", "sigma_db", round(self.sigma_db.value), about(&self.sigma_db, 2)),
-                ("radio", "sigma_static_db", round(self.sigma_static_db.value), about(&self.sigma_static_db, 2)),
+                (
+                    "radio",
+                    "sigma_static_db",
+                    round(self.sigma_static_db.value),
+                    about(&self.sigma_static_db, 2),
+                ),
                 ("radio", "correlation_m", round(self.correlation_m.value), about(&self.correlation_m, 2)),
             ]);
         } else {
@@ -139,7 +150,12 @@ impl Fit {
             keys.push(("radio", "sigma_db", round(sigma_db), "all of it as noise".to_owned()));
         }
         if let Some(limit_db) = self.packets.limit_db {
-            keys.push(("packets", "limit_db", round(limit_db), "half of the packets are lost there".to_owned()));
+            keys.push((
+                "packets",
+                "limit_db",
+                round(limit_db),
+                "half of the packets are lost there".to_owned(),
+            ));
             if let Some(soft_db) = self.packets.width_db.filter(|width_db| *width_db >= SOFT_DB) {
                 keys.push(("packets", "soft_db", round(soft_db), String::new()));
             }
