@@ -11,7 +11,7 @@ use uchain_sim::{
     config::builtin,
     glam::Vec2,
     mission::chain::Course,
-    radio::{Antenna, RadioModel as _},
+    radio::Antenna,
     seed::{Seed, Source},
 };
 

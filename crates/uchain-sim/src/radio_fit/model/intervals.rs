@@ -187,15 +187,13 @@ pub(super) fn noises(surface: &Surface, free: f64, heard: f64) -> [Interval; 3] 
     let lengths = || near.iter().map(|fine| fine.point[1]);
     let value = best.point[1];
     let (low, high) = lengths().fold((value, value), |(l, h), t| (l.min(t), h.max(t)));
-    let (least, most) =
-        fine.iter().fold((value, value), |(l, h), fine| (l.min(fine.point[1]), h.max(fine.point[1])));
     let [value, low_m, high_m] = [value, low, high].map(libm::exp);
     let length = Interval {
         value,
         low: low_m,
         high: high_m,
-        is_open_below: surface.ends.0 && low <= least + 1e-9,
-        is_open_above: surface.ends.1 && high >= most - 1e-9,
+        is_open_below: low <= surface.lengths.0 + 1e-9,
+        is_open_above: high >= surface.lengths.1 - 1e-9,
     };
     [noise(&|rho| 1.0 - rho), noise(&|rho| rho), length]
 }

@@ -1,7 +1,5 @@
 //! From packets to a line, its noises and their intervals.
 
-#[cfg(test)]
-mod draws;
 mod exponents;
 mod intervals;
 mod likelihood;
@@ -19,7 +17,7 @@ use intervals::LineKnown;
 use likelihood::Likelihood;
 use packets::Counted;
 use places::{Index, Place, blocks, places};
-use search::{Bounds, best, share_at, surface};
+use search::{best, bounds, share_at, surface};
 
 pub use exponents::Exponent;
 pub use intervals::Interval;
@@ -166,33 +164,6 @@ fn shadowing(
         }
     }
     all_db
-}
-
-/// Bounds of the correlation length: a third of the spacing of places, and three times the extent of all.
-fn bounds(places: &[Place]) -> (Bounds, f64, f64) {
-    let mut nearest: Vec<f64> = Vec::new();
-    for (index, place) in places.iter().enumerate() {
-        let window = places.iter().enumerate().skip(index.saturating_sub(40)).take(81);
-        let others = window.filter(|(other, near)| *other != index && near.link == place.link);
-        let apart_m = others.map(|(_, other)| place.apart_m(other)).fold(f64::INFINITY, f64::min);
-        if apart_m.is_finite() {
-            nearest.push(apart_m);
-        }
-    }
-    nearest.sort_by(f64::total_cmp);
-    let spacing_m = nearest.get(nearest.len() / 2).copied().unwrap_or(1.0).max(1e-3);
-    let width = |axis: usize| {
-        let along = places.iter().map(|place| place.ends_m[axis]);
-        let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), m| (l.min(m), h.max(m)));
-        (high - low) * (high - low)
-    };
-    let mut extent_m: f64 = 0.0;
-    for ends in [[0, 1, 2], [3, 4, 5]] {
-        // Anchors that do not move are no way: a link's own ends count.
-        extent_m = extent_m.max(ends.map(width).iter().sum::<f64>().sqrt());
-    }
-    let extent_m = extent_m.max(2.0 * spacing_m);
-    (Bounds { length_m: (spacing_m / 3.0, 3.0 * extent_m) }, spacing_m, extent_m)
 }
 
 /// Fits a log.

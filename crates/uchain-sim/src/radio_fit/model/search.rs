@@ -14,6 +14,8 @@ const COARSE: usize = 9;
 const FINE: usize = 13;
 /// What lies so much lower than the best counts no more (twice the logarithm).
 const FAR: f64 = 14.0;
+/// How often the box is drawn closer.
+const TURNED: usize = 2;
 /// Samples between two samples, by interpolation.
 const BETWEEN: usize = 8;
 /// Steps of the search for the best, and how near it comes.
@@ -54,8 +56,8 @@ pub(super) struct Surface {
     pub(super) best: Node,
     /// Row by row of the share, lengths within a row.
     pub(super) nodes: Vec<Node>,
-    /// Whether the grid ends where the bounds do: short and long lengths.
-    pub(super) ends: (bool, bool),
+    /// Logarithms of the shortest and the longest length that are looked at.
+    pub(super) lengths: (f64, f64),
 }
 
 fn node(likelihood: &mut Likelihood, places: &[Place], point: Point) -> Node {
@@ -124,6 +126,46 @@ pub(super) fn best(
     simplex[0]
 }
 
+/// Share and variance over length in the place of length.
+fn turn(point: Point) -> Point {
+    [point[0], point[1] - point[0]]
+}
+
+/// A grid of these; lengths beyond the bounds are those at the bounds.
+fn ridge(
+    likelihood: &mut Likelihood,
+    places: &[Place],
+    area: [(f64, f64); 2],
+    lengths: (f64, f64),
+    side: usize,
+) -> Vec<Node> {
+    let along = |(low, high): (f64, f64), step: usize| low + (high - low) * step as f64 / (side - 1) as f64;
+    let steps = (0..side).flat_map(|u| (0..side).map(move |v| (u, v)));
+    let point = |(u, v)| {
+        let logit = along(area[0], u);
+        [logit, bounded(along(area[1], v) + logit, lengths.0, lengths.1)]
+    };
+    steps.map(|step| node(likelihood, places, point(step))).collect()
+}
+
+/// The box around all nodes of a grid that count, a cell wider on every side, within the grid's own.
+fn counting(
+    nodes: &[Node],
+    area: [(f64, f64); 2],
+    side: usize,
+    best: Node,
+    of: &dyn Fn(Point) -> Point,
+) -> [(f64, f64); 2] {
+    std::array::from_fn(|i| {
+        let near = nodes.iter().filter(|node| node.deviance < best.deviance + FAR);
+        let own = of(best.point)[i];
+        let (low, high) =
+            near.map(|node| of(node.point)[i]).fold((own, own), |(l, h), value| (l.min(value), h.max(value)));
+        let cell = (area[i].1 - area[i].0) / (side - 1) as f64;
+        ((low - cell).max(area[i].0), (high + cell).min(area[i].1))
+    })
+}
+
 /// The best, and the likelihood around it as far as it counts.
 pub(super) fn surface(
     likelihood: &mut Likelihood,
@@ -138,27 +180,22 @@ pub(super) fn surface(
     if let Some(other) = nearest.filter(|node| node.deviance < best_node.deviance) {
         best_node = best(likelihood, places, bounds, Some(other.point));
     }
-    // A box around all that counts, a cell wider on every side; then once more, as the first is coarse.
-    let counting = |nodes: &[Node], area: [(f64, f64); 2], side: usize| -> [(f64, f64); 2] {
-        std::array::from_fn(|i| {
-            let near = nodes.iter().filter(|node| node.deviance < best_node.deviance + FAR);
-            let (low, high) = near
-                .map(|node| node.point[i])
-                .fold((best_node.point[i], best_node.point[i]), |(l, h), value| (l.min(value), h.max(value)));
-            let cell = (area[i].1 - area[i].0) / (side - 1) as f64;
-            ((low - cell).max(area[i].0), (high + cell).min(area[i].1))
-        })
-    };
-    let first = counting(&coarse, area, COARSE);
-    let second = counting(&grid(likelihood, places, first, COARSE), first, COARSE);
-    let nodes = grid(likelihood, places, second, FINE);
-    let ends = (second[1].0 <= area[1].0 + 1e-9, second[1].1 >= area[1].1 - 1e-9);
+    // A box around all that counts, a cell wider on every side; then again, as the first is coarse. Dense places tell variance
+    // over length far better than either: along the logarithm of that the ridge lies straight in the box.
+    let first = counting(&coarse, area, COARSE, best_node, &|point| point);
+    let widest = first[0];
+    let mut turned = [widest, (first[1].0 - widest.1, first[1].1 - widest.0)];
+    for _ in 0..TURNED {
+        let nodes = ridge(likelihood, places, turned, area[1], COARSE);
+        turned = counting(&nodes, turned, COARSE, best_node, &turn);
+    }
+    let nodes = ridge(likelihood, places, turned, area[1], FINE);
     if let Some(other) = nodes.iter().min_by(|a, b| a.deviance.total_cmp(&b.deviance))
         && other.deviance < best_node.deviance
     {
         best_node = *other;
     }
-    Surface { best: best_node, nodes, ends }
+    Surface { best: best_node, nodes, lengths: area[1] }
 }
 
 /// A point between those of the grid.
@@ -195,4 +232,31 @@ impl Surface {
         }
         all
     }
+}
+
+/// Bounds of the correlation length: a third of the spacing of places, and three times the extent of all.
+pub(super) fn bounds(places: &[Place]) -> (Bounds, f64, f64) {
+    let mut nearest: Vec<f64> = Vec::new();
+    for (index, place) in places.iter().enumerate() {
+        let window = places.iter().enumerate().skip(index.saturating_sub(40)).take(81);
+        let others = window.filter(|(other, near)| *other != index && near.link == place.link);
+        let apart_m = others.map(|(_, other)| place.apart_m(other)).fold(f64::INFINITY, f64::min);
+        if apart_m.is_finite() {
+            nearest.push(apart_m);
+        }
+    }
+    nearest.sort_by(f64::total_cmp);
+    let spacing_m = nearest.get(nearest.len() / 2).copied().unwrap_or(1.0).max(1e-3);
+    let width = |axis: usize| {
+        let along = places.iter().map(|place| place.ends_m[axis]);
+        let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), m| (l.min(m), h.max(m)));
+        (high - low) * (high - low)
+    };
+    let mut extent_m: f64 = 0.0;
+    for ends in [[0, 1, 2], [3, 4, 5]] {
+        // Anchors that do not move are no way: a link's own ends count.
+        extent_m = extent_m.max(ends.map(width).iter().sum::<f64>().sqrt());
+    }
+    let extent_m = extent_m.max(2.0 * spacing_m);
+    (Bounds { length_m: (spacing_m / 3.0, 3.0 * extent_m) }, spacing_m, extent_m)
 }

@@ -4,6 +4,7 @@ mod anchors;
 mod columns;
 mod header;
 mod mapping;
+mod notes;
 mod rows;
 mod table;
 #[cfg(test)]

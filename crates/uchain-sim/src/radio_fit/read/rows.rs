@@ -3,7 +3,8 @@
 use super::{
     Anchors, LINKS_MAX, Log, ReadOptions, SAMPLES_MAX, Sample,
     columns::{Column, Of},
-    header::{From, Header, looks_meant},
+    header::{From, Header},
+    notes::Counts,
     table,
 };
 use crate::{config::shorten, radio_fit::FitError};
@@ -66,12 +67,9 @@ struct Rows<'a> {
     links: Vec<String>,
     /// Links that are not asked for.
     others: Vec<String>,
-    zeros: usize,
     samples: Vec<Sample>,
     last: Vec<Last>,
-    gaps: usize,
-    breaks: usize,
-    no_place: usize,
+    counts: Counts,
 }
 
 impl<'a> Rows<'a> {
@@ -95,12 +93,9 @@ impl<'a> Rows<'a> {
             has_heights: has(Of::End(2)) && other,
             links: Vec::new(),
             others: Vec::new(),
-            zeros: 0,
             samples: Vec::new(),
             last: Vec::new(),
-            gaps: 0,
-            breaks: 0,
-            no_place: 0,
+            counts: Counts::default(),
         }
     }
 
@@ -162,13 +157,13 @@ impl<'a> Rows<'a> {
                 continue;
             }
             let loss_db = self.number(line, cells, losses.column, &losses.from)?;
-            self.zeros += usize::from(loss_db == Some(0.0));
+            self.counts.zeros += usize::from(loss_db == Some(0.0));
             let loss_db = match losses.column.of {
                 Of::Rssi => loss_db.map(|rssi_dbm| self.options.tx_dbm.unwrap_or(0.0) - rssi_dbm),
                 _ => loss_db,
             };
             let Some((distance_m, ends_m)) = self.place(line, link, distance_m, ends_m)? else {
-                self.no_place += 1;
+                self.counts.no_place += 1;
                 continue;
             };
             let link = self.link(line, link)?;
@@ -239,10 +234,10 @@ impl<'a> Rows<'a> {
                         let ends_m = std::array::from_fn(|i| between(before.ends_m[i], sample.ends_m[i]));
                         let distance_m = between(before.distance_m, sample.distance_m);
                         self.push(Sample { loss_db: None, distance_m, ends_m, ..sample.clone() })?;
-                        self.gaps += 1;
+                        self.counts.gaps += 1;
                     }
                 } else if missing != 0.0 {
-                    self.breaks += 1;
+                    self.counts.breaks += 1;
                 }
             }
             let last = Last { walk: walk.to_owned(), link: sample.link, seq, sample: self.samples.len() };
@@ -265,49 +260,8 @@ impl<'a> Rows<'a> {
     }
 
     fn end(self) -> Log {
-        let mut notes = Vec::new();
-        let is_rssi = self.header.losses.iter().any(|losses| losses.column.of == Of::Rssi);
-        if is_rssi && self.options.tx_dbm.is_none() {
-            notes.push(
-                "the loss is taken as minus the received power, as packets sent with 0 dBm would have it: --tx-dbm says another power"
-                    .to_owned(),
-            );
-        }
-        if self.gaps > 0 {
-            notes.push(format!("{} packets were not heard by gaps in seq, and are put on the straight way between those that were", self.gaps));
-        }
-        if self.breaks > 0 {
-            notes.push(format!(
-                "seq starts anew or leaps in {} places: no packet is counted as lost there",
-                self.breaks
-            ));
-        }
-        if self.no_place > 0 {
-            notes.push(format!("{} packets without a place or distance are left out", self.no_place));
-        }
-        if self.zeros > 0 {
-            notes.push(format!(
-                "{} readings are exactly 0: where that stands for a packet that was not heard, add --lost 0",
-                self.zeros
-            ));
-        }
-        if !self.has_places {
-            notes.push("distances only: all packets of a distance count as packets of one place".to_owned());
-        }
-        // Where names are mapped, what is not named is not meant.
-        let unmeant = self
-            .header
-            .left_out
-            .iter()
-            .filter_map(|name| looks_meant(name))
-            .filter(|_| self.options.mapping.is_empty());
-        notes.extend(unmeant.map(|words| format!("not read: {words}")));
-        Log {
-            label: self.label.to_owned(),
-            links: self.links,
-            samples: self.samples,
-            has_places: self.has_places,
-            notes,
-        }
+        let notes = self.counts.words(self.header, self.options, self.has_places);
+        let (label, links) = (self.label.to_owned(), self.links);
+        Log { label, links, samples: self.samples, has_places: self.has_places, notes }
     }
 }

@@ -1,7 +1,7 @@
-use super::{
-    draws::{TRUTH, Truth, walk},
-    *,
-};
+mod draws;
+
+use super::*;
+use draws::{TRUTH, Truth, walk};
 
 fn fitted(log: &Log) -> Fit {
     fit(log, &FitOptions::default()).unwrap()
