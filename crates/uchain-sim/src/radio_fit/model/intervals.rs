@@ -13,7 +13,7 @@ use super::{
 const FALLS: f64 = 3.841_459;
 
 /// Power of the correlation length by which its prior density, over its logarithm, falls (1).
-const PRIOR: f64 = 0.25;
+const PRIOR: f64 = 0.5;
 
 /// A number and its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
