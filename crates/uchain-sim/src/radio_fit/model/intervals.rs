@@ -55,7 +55,7 @@ pub(super) fn line(likelihood: &mut Likelihood, places: &[Place], surface: &Surf
     let best = &surface.best;
     let line = best.at.sums.line();
     let (mut total, mut covariance, mut means, mut squares) = (0.0, [0.0; 3], [0.0; 2], [0.0; 3]);
-    for node in &surface.nodes {
+    for node in surface.nodes.iter().chain([best]) {
         // Lengths that no walk tells from the line count for something, but not for all: by how much is chosen so that the
         // intervals of drawn logs hold the truth as often as they say (the table in docs/guide/radio-fit.md).
         let prior = -PRIOR * (node.point[1] - best.point[1]);

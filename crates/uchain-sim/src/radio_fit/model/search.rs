@@ -15,7 +15,7 @@ const FINE: usize = 13;
 /// What lies so much lower than the best counts no more (twice the logarithm).
 const FAR: f64 = 14.0;
 /// How often the box is drawn closer.
-const TURNED: usize = 2;
+const TURNED: usize = 4;
 /// Samples between two samples, by interpolation.
 const BETWEEN: usize = 8;
 /// Steps of the search for the best, and how near it comes.
