@@ -222,8 +222,7 @@ impl Likelihood {
                 let others = &done[column * width..column * width + width];
                 own[column] = (r - dot(&own[..column], &others[..column])) / others[column];
             }
-            let diagonal =
-                share.rho * (1.0 - beside) + white / place.weight - dot(&own[..size], &own[..size]);
+            let diagonal = share.rho + white / place.weight - dot(&own[..size], &own[..size]);
             let diagonal = diagonal.max(1e-12).sqrt();
             own[size] = diagonal;
             solved.log_det += 2.0 * libm::log(diagonal);
