@@ -31,6 +31,9 @@ mod places;
 /// `uchain plan`.
 #[path = "cli/plan.rs"]
 mod plan;
+/// `uchain radio`: logs of losses, and losses over a map.
+#[path = "cli/radio.rs"]
+mod radio;
 /// Recordings: `inspect`, `verify`, `diff`, and runs that do not end.
 #[path = "cli/record.rs"]
 mod record;

@@ -56,7 +56,7 @@ fn helps() -> Vec<Text> {
     let lines = whole.text.lines().skip_while(|line| *line != "Commands:").skip(1);
     let names = lines.take_while(|line| !line.is_empty()).filter_map(|line| line.split_whitespace().next());
     let names: Vec<String> = names.filter(|name| *name != "help").map(str::to_owned).collect();
-    let nested = ["info", "plot", "convert", "make"].map(|name| help(&["map", name, "--help"]));
+    let nested = crate::teach::NESTED.map(|[of, name]| help(&[of, name, "--help"]));
     [whole].into_iter().chain(names.iter().map(|name| help(&[name, "--help"]))).chain(nested).collect()
 }
 
@@ -175,6 +175,11 @@ impl Bench {
         fs::create_dir(here.join("examples")).unwrap();
         let maps = fs::canonicalize(root()).unwrap().join("examples/maps");
         symlink(maps, here.join("examples/maps")).unwrap();
+        let radio = fs::canonicalize(root()).unwrap().join("examples/radio");
+        for name in ["walk.csv", "theirs.csv", "poses.csv", "anchors.csv"] {
+            fs::copy(radio.join(name), here.join(name)).unwrap();
+        }
+        symlink(radio, here.join("examples/radio")).unwrap();
         let row = ".".repeat(100) + "\n";
         fs::write(
             here.join("city.map"),
@@ -195,6 +200,10 @@ impl Bench {
             "design.csv",
             "log.csv",
             "city.map",
+            "walk.csv",
+            "theirs.csv",
+            "poses.csv",
+            "anchors.csv",
             "runs",
             "sweeps",
             "part1",
@@ -399,10 +408,10 @@ impl Known {
     fn wrong_in(&self, code: &str) -> Option<String> {
         let words: Vec<&str> = code.split_whitespace().collect();
         let command = match words.as_slice() {
-            ["uchain", "map", command, ..] if !command.starts_with('-') => {
-                let command = self.options.keys().find(|name| **name == format!("map {command}"));
+            ["uchain", of @ ("map" | "radio"), command, ..] if !command.starts_with('-') => {
+                let command = self.options.keys().find(|name| **name == format!("{of} {command}"));
                 if command.is_none() {
-                    return Some(format!("`{code}`: no command of map is called so"));
+                    return Some(format!("`{code}`: no command of {of} is called so"));
                 }
                 command.map(String::as_str)
             }
@@ -582,6 +591,7 @@ fn every_field_of_a_result_is_in_the_table_of_its_page_and_every_field_of_the_ta
     };
     let tables = fields_in_tables();
     fs::write(here.path().join("log.csv"), uchain(here.path(), &["node", "--template"]).stdout).unwrap();
+    let walk = root().join("examples/radio/walk.csv").display().to_string();
     let expected = [
         (
             "docs/guide/results.md",
@@ -595,6 +605,7 @@ fn every_field_of_a_result_is_in_the_table_of_its_page_and_every_field_of_the_ta
         ),
         ("docs/guide/planning.md", "plan.json", fields_of(&["plan", "corner"], "plan")),
         ("docs/guide/firmware.md", "node.json", fields_of(&["node", "log.csv"], "node")),
+        ("docs/guide/radio-fit.md", "fit.json", fields_of(&["radio", "fit", &walk], "fit")),
     ];
     assert_eq!(tables.len(), expected.len(), "{:?}", tables.keys());
     for (page, file, fields) in expected {

@@ -18,8 +18,15 @@ fn commands() -> Vec<String> {
     names
 }
 
-/// What `uchain map --help` lists.
-const OF_MAP: [&str; 4] = ["info", "plot", "convert", "make"];
+/// What `uchain map --help` and `uchain radio --help` list.
+pub(crate) const NESTED: [[&str; 2]; 6] = [
+    ["map", "info"],
+    ["map", "plot"],
+    ["map", "convert"],
+    ["map", "make"],
+    ["radio", "fit"],
+    ["radio", "map"],
+];
 
 #[test]
 fn help_texts_are_the_reviewed_ones_and_each_has_an_example() {
@@ -34,10 +41,10 @@ fn help_texts_are_the_reviewed_ones_and_each_has_an_example() {
         );
         let _ = write!(all, "\n==== uchain {name} --help\n\n{}", stdout(&help));
     }
-    for name in OF_MAP {
-        let help = uchain(here.path(), &["map", name, "--help"]);
-        assert!(stdout(&help).contains(&format!("Examples:\n  uchain map {name}")), "{name}");
-        let _ = write!(all, "\n==== uchain map {name} --help\n\n{}", stdout(&help));
+    for [of, name] in NESTED {
+        let help = uchain(here.path(), &[of, name, "--help"]);
+        assert!(stdout(&help).contains(&format!("Examples:\n  uchain {of} {name}")), "{name}");
+        let _ = write!(all, "\n==== uchain {of} {name} --help\n\n{}", stdout(&help));
     }
     insta::assert_snapshot!(all);
     let version = uchain(here.path(), &["--version"]);
@@ -137,7 +144,7 @@ fn there_is_a_manual_page_for_every_command_and_it_is_well_formed() {
     let here = folder();
     let output = uchain(here.path(), &["man", "--out", "pages"]);
     assert_eq!((output.status.code(), stdout(&output), stderr(&output)), (Some(0), "", ""));
-    let nested = OF_MAP.map(|name| format!("map-{name}"));
+    let nested = NESTED.map(|[of, name]| format!("{of}-{name}"));
     let names = commands().into_iter().chain(nested).map(|name| format!("uchain-{name}.1"));
     let files = names.chain(["uchain.1".to_owned()]);
     for file in files {

@@ -12,7 +12,7 @@ use uchain_sim::registry::Registry;
 use crate::{
     exit::{self, Exit},
     flags::{Quiet, Sets},
-    fly, map, node, paper, plan, recording, sweep, view,
+    fly, map, node, paper, plan, radio, recording, sweep, view,
 };
 
 /// Fly a chain of UAVs that keep a radio link through a tunnel, or robots that explore rooms, and look at what it
@@ -50,6 +50,9 @@ pub(crate) enum Command {
     /// A map by itself: what it is, a picture, another kind of file, or one out of nothing
     #[command(subcommand, after_help = map::EXAMPLES)]
     Map(map::Map),
+    /// A radio by itself: fitted to a log of losses, or asked for its losses over a map
+    #[command(subcommand, after_help = radio::EXAMPLES)]
+    Radio(radio::Radio),
     /// Send the log of a real flight through the node: what would it have asked for?
     Node(Box<node::Node>),
     /// Draw the figures and tables of the papers again, published values beside ours

@@ -11,6 +11,7 @@ use uchain_sim::{
     draw::DrawError,
     log::LogError,
     mission::chain::PlanError,
+    radio_fit::FitError,
     record::{
         RecordError,
         mcap::{About, PlayError, ReadError},
@@ -43,7 +44,8 @@ const TABLE: [(Exit, &str); 6] = [
     (Exit::Usage, "usage: wrong arguments, or an output folder that is not to be touched"),
     (
         Exit::InputInvalid,
-        "input missing or invalid: scenario, map, recording, log, sweep or a name that nobody knows; nothing is written",
+        "input missing or invalid: scenario, map, recording, log, sweep or a name that nobody knows; nothing is written. Or data that \
+         support no fit, which radio fit draws all the same",
     ),
     (Exit::Differ, "verify, diff, repro: the flights differ"),
     (
@@ -77,6 +79,11 @@ pub(crate) enum Failure {
     Plan(#[from] PlanError),
     #[error(transparent)]
     Log(#[from] LogError),
+    #[error(transparent)]
+    Fit(#[from] FitError),
+    /// What was seen of the data has been said and drawn.
+    #[error("{log}: the data do not support a fit: {why}")]
+    NoFit { log: String, why: String },
     #[error("{0}")]
     Map(String),
     #[error("{0}")]
@@ -253,6 +260,8 @@ impl Failure {
             | Self::Plan(_)
             | Self::PlanFlight(_)
             | Self::Log(_)
+            | Self::Fit(_)
+            | Self::NoFit { .. }
             | Self::Map(_)
             | Self::NoPage
             | Self::Recording { .. }

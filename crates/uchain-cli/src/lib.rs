@@ -34,6 +34,7 @@ mod node;
 mod output;
 mod paper;
 mod plan;
+mod radio;
 mod recording;
 mod sweep;
 mod teach;
@@ -108,6 +109,7 @@ fn execute(registry: Registry, command: Command) -> Result<(), Failure> {
         Command::Repro(args) => sweep::repro(registry, &args),
         Command::Plan(args) => plan::compute(registry, &args),
         Command::Map(what) => map::map(registry, &what),
+        Command::Radio(what) => radio::radio(registry, &what),
         Command::Node(args) => node::node(&args),
         Command::Paper(args) => paper::regenerate(&args),
         Command::View(args) => view::view(registry, &args),

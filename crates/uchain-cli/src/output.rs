@@ -79,11 +79,29 @@ pub(crate) const NODE: Names = Names {
     others: &["commands.csv"],
     replaces: &["node.json", "node.png", "commands.csv"],
 };
+/// What `uchain radio fit` leaves.
+pub(crate) const FIT: Names = Names {
+    numbers: "fit.json",
+    picture: "fit.png",
+    recording: None,
+    others: &["radio.toml"],
+    replaces: &["fit.json", "fit.png", "radio.toml"],
+};
+/// The same of data that do not support a fit.
+pub(crate) const FIT_REFUSED: Names = Names { others: &[], ..FIT };
+/// What `uchain radio map` leaves.
+pub(crate) const LOSSES: Names = Names {
+    numbers: "loss.json",
+    picture: "loss.png",
+    recording: None,
+    others: &["loss.csv"],
+    replaces: &["loss.json", "loss.png", "loss.csv"],
+};
 /// What `uchain inspect --out` leaves.
 pub(crate) const INSPECT: Names =
     Names { numbers: "inspect.json", recording: None, replaces: &["inspect.json", "run.png"], ..RUN };
 
-const ALL: [&Names; 5] = [&RUN, &PLAN, &PLAN_EVERYWHERE, &NODE, &INSPECT];
+const ALL: [&Names; 7] = [&RUN, &PLAN, &PLAN_EVERYWHERE, &NODE, &INSPECT, &FIT, &LOSSES];
 
 /// Whether some command leaves a file of this name.
 fn is_result(name: &str) -> bool {

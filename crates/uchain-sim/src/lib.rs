@@ -56,6 +56,8 @@
 //! | [`analyse`] | digest, optimum of a chain, statistics, verdicts |
 //! | [`mission`] | a chain, an exploration, one's own |
 //! | `log` | the node alone, fed with the log of a real flight |
+//! | `radio_fit` | logs of losses: exponent, shadowing, noise, with intervals |
+//! | [`radio_map`] | losses from one place to all others, and along a tunnel |
 //! | [`run`], [`registry`], `replay`, [`mod@sweep`] | one run, runs of whatever mission, recordings flown again, many runs |
 //! | `draw` | pictures |
 //! | [`mathematics`] | whose `exp` and `sin` the program computes with |
@@ -71,6 +73,7 @@
 //! | `record` | recordings as MCAP files: `record::mcap` and `replay` |
 //! | `sweep` | the module `sweep`, and the table it leaves (Parquet) |
 //! | `log` | the module `log`: logs of real flights, decided again |
+//! | `fit` | the module `radio_fit`: the radio that a log of losses tells of |
 //! | `schema` | JSON Schema of scenarios, and help on every key |
 //! | `oracles` | slow ways that the project's tests compare with; no promise is made of them |
 //!
@@ -111,6 +114,9 @@ pub mod mathematics;
 pub mod mission;
 pub mod pilot;
 pub mod radio;
+#[cfg(feature = "fit")]
+pub mod radio_fit;
+pub mod radio_map;
 pub mod record;
 pub mod registry;
 #[cfg(feature = "record")]

@@ -13,6 +13,7 @@ Examples:
   uchain verify runs/corner-s1/run.mcap      fly it again: still the same, bit for bit?
   uchain sweep corner --vary radio.sigma_db=0,4 --replicates 20 --out sigma && uchain report sigma
   uchain plan corner                         how many UAVs does it need? (flies nothing)
+  uchain radio fit walk.csv                  what radio is that? exponent, noise, shadowing
   uchain node log.csv                        what would the laws have asked for, in a real flight?
   uchain paper fig4e fig10 --out again       figures of the papers, published values beside ours
   uchain explain radio.alpha_wall            what is that, and what may it be?
@@ -22,7 +23,7 @@ Examples:
 
 Results:
   stdout holds what was asked for, stderr progress and errors. Files go into runs/<scenario>-s<seed>,
-  plans/<scenario> and nodes/<log> below the folder you are in, or into --out; a file mine.toml goes by its own name, into
+  plans/<scenario>, nodes/<log> and fits/<log> below the folder you are in, or into --out; a file mine.toml goes by its own name, into
   runs/mine-s<seed>, and pages of uchain view into views. A folder tells of one run: what was there goes. Progress shows on a terminal only.
 
 Environment:

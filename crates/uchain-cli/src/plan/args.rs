@@ -92,7 +92,7 @@ fn to(text: &str) -> Result<To, String> {
 }
 
 /// Two numbers are a place; what is not made of numbers is a name.
-fn spot(text: &str) -> Result<Spot, String> {
+pub(crate) fn spot(text: &str) -> Result<Spot, String> {
     let is_name = !text.is_empty()
         && text.split(',').any(|part| part.trim_matches(['[', ']', ' ']).parse::<f64>().is_err());
     match point(text) {

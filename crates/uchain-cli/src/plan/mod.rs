@@ -18,8 +18,8 @@ use crate::{
     output::{self, Folder},
     waiting::spinner,
 };
-pub(crate) use args::Plan;
 use args::To;
+pub(crate) use args::{Plan, spot};
 
 /// Keys that a link budget works out.
 const BUDGETED: [&str; 6] = [
@@ -122,7 +122,7 @@ fn fly(course: &Course, plan: &mut Planned, seeds: u64, spinner: &ProgressBar) -
 }
 
 /// An argument as it may be typed.
-fn typed(argument: PlanArgument<'_>) -> String {
+pub(crate) fn typed(argument: PlanArgument<'_>) -> String {
     match argument {
         PlanArgument::Map(map) => map.to_owned(),
         PlanArgument::Base([x, y]) => format!("--base={x},{y}"),

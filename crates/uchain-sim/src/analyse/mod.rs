@@ -6,7 +6,7 @@ pub mod optimum;
 mod outcome;
 #[cfg(feature = "sweep")]
 mod significance;
-#[cfg(feature = "sweep")]
+#[cfg(any(feature = "sweep", feature = "fit"))]
 mod stats;
 mod thinned;
 
@@ -17,6 +17,6 @@ pub use outcome::{Break, Outcome, Over, Remedy, Verdict, Way};
 pub use significance::{
     Tendency, bootstrap, is_less_in_pairs, is_rarer_in_pairs, saved_percent, tends_to_be_less,
 };
-#[cfg(feature = "sweep")]
+#[cfg(any(feature = "sweep", feature = "fit"))]
 pub use stats::Estimate;
 pub use thinned::Thinned;

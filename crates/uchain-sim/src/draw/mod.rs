@@ -2,7 +2,7 @@
 
 pub(crate) mod colour;
 pub(crate) mod dots;
-#[cfg(feature = "sweep")]
+#[cfg(any(feature = "sweep", feature = "fit"))]
 pub mod figure;
 pub(crate) mod ground;
 pub(crate) mod loss;

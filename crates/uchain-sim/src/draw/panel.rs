@@ -96,7 +96,7 @@ impl Panel {
     }
 
     /// The same with words instead of numbers on the horizontal axis, at 1, 2, 3 and so on.
-    #[cfg(feature = "sweep")]
+    #[cfg(any(feature = "sweep", feature = "fit"))]
     pub(crate) fn with_words(mut self, words: Vec<String>) -> Self {
         self.layout = self.layout.with_x_categories(words);
         self
@@ -257,7 +257,7 @@ pub(crate) fn caption(scene: &mut Scene, (x, y): (f64, f64), content: &str, colo
 }
 
 /// The range of some values, with room around them; one value has room as well, and none is 0 to 1.
-#[cfg(any(feature = "sweep", feature = "log"))]
+#[cfg(any(feature = "sweep", feature = "log", feature = "fit"))]
 pub(crate) fn widened(values: impl Iterator<Item = f64>, share: f64) -> (f64, f64) {
     let finite = values.filter(|value| value.is_finite());
     let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));

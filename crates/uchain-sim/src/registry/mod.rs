@@ -10,6 +10,7 @@ mod keys;
 mod map;
 mod mission;
 mod plan;
+mod radio;
 #[cfg(all(feature = "record", feature = "draw"))]
 mod recording;
 mod scene;
@@ -35,10 +36,13 @@ pub use kept::Kept;
 pub(crate) use keys::ValueKind;
 pub use map::Typed;
 pub use mission::{AnyMission, Flown, Of, Whole};
+#[cfg(feature = "fit")]
+pub use plan::{FittedCase, FittedPlan};
 pub use plan::{
     PlanArgument, PlanCourse, PlanFlight, PlanFlightError, PlanFor, PlanRequest, PlanRequestError, Spot,
     named,
 };
+pub use radio::RadioIn;
 #[cfg(all(feature = "record", feature = "draw"))]
 pub use recording::{AnyRecording, Inspection};
 pub use scene::AnyScene;

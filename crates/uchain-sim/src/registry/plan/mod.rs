@@ -1,5 +1,7 @@
 //! What a planner asks for: a scenario's tunnel, or that of a bare map.
 
+#[cfg(feature = "fit")]
+mod fitted;
 mod fly;
 mod spot;
 
@@ -20,6 +22,8 @@ use crate::{
     scene::lay_map,
 };
 
+#[cfg(feature = "fit")]
+pub use fitted::{FittedCase, FittedPlan};
 pub use fly::{PlanFlight, PlanFlightError};
 pub use spot::Spot;
 
@@ -70,7 +74,7 @@ pub enum PlanArgument<'a> {
 }
 
 /// What a planner asks for.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct PlanRequest<'a> {
     /// What is planned for.
     pub what: &'a PlanFor,
@@ -340,7 +344,7 @@ impl PlanRequest<'_> {
     }
 
     /// A scenario around a map: one UAV at the base, ahead of it the goal.
-    fn bare(map: &str) -> Source {
+    pub(super) fn bare(map: &str) -> Source {
         let stem = Path::new(map).file_stem().unwrap_or_default().to_string_lossy();
         let plain = |c: char| if c.is_ascii_alphanumeric() || c == '_' { c } else { '-' };
         let name: String = stem.chars().take(64).map(plain).collect();
