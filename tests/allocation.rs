@@ -17,7 +17,11 @@ fn count(name: &str, sets: &[&str], ticks: usize) -> [(u64, u64); 2] {
     for _ in 0..ticks {
         let before = sim.world().solver_steps();
         let asked = measure(|| _ = sim.step(&mut ()).unwrap()).count_total;
-        let (ticks, total) = &mut counted[(sim.world().solver_steps() - before) as usize];
+        let steps = (sim.world().solver_steps() - before) as usize;
+        if asked > 0 && steps == 0 {
+            println!("{name} {sets:?}: {asked} requests in tick {}", sim.tick());
+        }
+        let (ticks, total) = &mut counted[steps];
         *ticks += 1;
         *total += asked;
     }

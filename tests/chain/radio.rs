@@ -6,7 +6,7 @@ use uchain_sim::{
     map::Map,
     mission::{
         Scene as _,
-        chain::{ChainExtensions, Course, McapRecorder, Summary, plan},
+        chain::{Chain, ChainExtensions, Course, McapRecorder, Metrics, Summary, plan},
         explore::Site,
     },
     radio::{Antenna, NO_LINK_DB, PathLoss, RadioError, RadioKind, RadioModel},
@@ -211,4 +211,29 @@ fn the_command_line_runs_sweeps_and_verifies_a_model_of_ones_own() {
     let sweep = ["sweep", "corner", "--vary", vary, "--set", "duration_s=10", "--out", &many, "--quiet"];
     assert_eq!(uchain(registry(), &sweep), ok);
     assert_eq!(uchain(registry(), &["plan", "corner", "--set", "radio.model=own", "--quiet"]), ok);
+}
+
+/// Where a UAV is by its odometer and by the tunnel's middle, at the end of a flight, and the summary's word of the head.
+fn flown_and_deep(name: &str) -> (Vec<[f64; 2]>, Summary) {
+    let course = course(name, &[]);
+    let mut chain: Chain = Chain::start(course.clone(), 1);
+    let mut metrics = Metrics::new(course.clone());
+    while chain.step(&mut metrics).unwrap().is_none() {}
+    let tunnel = course.tunnel.as_ref().unwrap();
+    let flown = chain.world().bodies().iter().zip(&course.spawns).filter(|(body, _)| body.airborne);
+    let pairs =
+        flown.map(|(body, spawn)| [body.forward_m, tunnel.depth_m(body.at) - tunnel.depth_m(spawn.at)]);
+    (pairs.collect(), metrics.summary(1, String::new()))
+}
+
+#[test]
+fn what_uavs_count_of_their_way_drifts_in_bends_and_the_summary_says_how_far_the_head_flew() {
+    let (straight, of_straight) = flown_and_deep("straight");
+    for [flown_m, deep_m] in &straight {
+        assert!((flown_m - deep_m).abs() < 0.05, "{straight:?}");
+    }
+    assert!((f64::from(of_straight.head_flown_m) - straight[0][0]).abs() < 0.1, "{of_straight:?}");
+    let (bent, of_bent) = flown_and_deep("circuit-frontiers2021");
+    assert!(bent.iter().any(|[flown_m, deep_m]| (flown_m - deep_m).abs() > 0.1), "the control: {bent:?}");
+    assert!(of_bent.head_flown_m > of_bent.head_reach_m, "{of_bent:?}");
 }

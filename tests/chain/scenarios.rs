@@ -5,7 +5,11 @@ use uchain_sim::{mission::chain::Summary, run::run};
 use crate::{course, lay, shared_data};
 
 fn thirty(name: &str) -> Vec<Summary> {
-    let course = course(name, &[]);
+    thirty_with(name, &[])
+}
+
+fn thirty_with(name: &str, sets: &[&str]) -> Vec<Summary> {
+    let course = course(name, sets);
     (1..=30).map(|seed| run(&course, seed, &mut ()).unwrap()).collect()
 }
 
@@ -78,14 +82,17 @@ fn a_chain_reaches_40_m_into_a_real_basement_and_stays_connected() {
 /// The laws of the authors' simulator and of their firmware fly the circuit too.
 #[test]
 fn both_presets_fly_the_circuit_without_touching_anything() {
-    for name in ["circuit-frontiers2021", "circuit-cavemod"] {
-        for s in thirty(name) {
+    // By odometers, which drift, the chain is not level by the losses of an optimum that knows no drift: the paper's items
+    // tell how far off it is.
+    for (name, sets) in [("circuit-frontiers2021", &["radio.detour=geodesic"][..]), ("circuit-cavemod", &[])]
+    {
+        for s in thirty_with(name, sets) {
             assert_eq!((s.wall_contacts, s.uav_contacts), (0, 0), "{name}, seed {}", s.seed);
             assert_eq!(s.below_limit_fraction, Some(1.0), "{name}, seed {}", s.seed);
             assert!(s.connected_fraction >= Some(0.99), "{name}, seed {}: {s:?}", s.seed);
             assert!(s.head_reach_m > 7.0, "{name}, seed {}: {s:?}", s.seed);
             let gap_db = s.bottleneck_gap_db.expect("a tunnel of known middle");
-            assert!(gap_db < 3.0, "{name}, seed {}: {gap_db} dB from the optimum", s.seed);
+            assert!(gap_db < 4.0, "{name}, seed {}: {gap_db} dB from the optimum", s.seed);
             assert_eq!(s.verdict.outcome().word(), "completed", "{name}, seed {}: {}", s.seed, s.verdict);
         }
     }

@@ -39,7 +39,7 @@ const SLIPS: &[(&str, i32, &[&str])] = &[
         &["unknown key 'uavs'; did you mean 'chain.uavs'?", "hint: all keys: uchain explain\n"],
     ),
     (
-        "run corner --set radio.detour_db=40",
+        "run corner --set radio.detour_db_per=40",
         3,
         &["did you mean 'detour_db_per_m'?", "hint: keys of radio: uchain explain radio"],
     ),

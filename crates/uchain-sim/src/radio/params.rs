@@ -112,7 +112,7 @@ uchain_core::params! {
         /// - Symbol: `f`
         /// - Source: a Crazyradio's 2.4 GHz
         pub frequency_mhz: f32 = 2400.0, in 300.0..=100_000.0;
-        /// Distance power loss coefficient of "p1238" (dB a decade): of 1.8 to 2 GHz 28 in homes, 30 in offices, 22 in shops; of
+        /// Distance power loss coefficient of "p1238", in dB a decade (1): of 1.8 to 2 GHz 28 in homes, 30 in offices, 22 in shops; of
         /// 2.4 GHz 30 in offices.
         /// - Symbol: `N`
         /// - Equation: `loss = 20 log10 f + N log10 d + Lf(n) - 28`, no floor between: `Lf = 0`

@@ -12,7 +12,7 @@ fn the_loss_of_a_cell_is_that_of_the_model_and_the_limit_is_where_its_distance_s
         "{} {expected_m}",
         losses.farthest_m
     );
-    assert!(losses.loss_db.len() == losses.size[0] * losses.size[1] && losses.loss_db.contains(&None));
+    assert_eq!(losses.loss_db.len(), losses.size[0] * losses.size[1]);
     let [column, row] = [losses.size[0] / 2, losses.size[1] / 2];
     let [x, y] = losses.middle_m(column, row);
     let straight = course.loss_db(&Antenna::from(course.base), &Antenna::from(course.map.to_local([x, y])));
@@ -45,6 +45,7 @@ fn losses_that_are_no_number_count_as_no_link() {
     }
     let course = Course::read(&builtin("corner").unwrap(), &[]).unwrap();
     let losses = LossMap::of(&course.map, &Nothing, course.base, 61.0);
+    assert!(losses.loss_db.contains(&None), "rock has no loss");
     assert!(losses.loss_db.iter().flatten().all(|db| *db == crate::radio::NO_LINK_DB));
     assert_eq!((losses.share_within, losses.farthest_m), (0.0, 0.0));
 }

@@ -50,6 +50,27 @@ fn a_detour_costs_by_the_length_of_the_way_round_beyond_the_straight_one() {
 }
 
 #[test]
+fn by_odometers_a_detour_is_what_both_have_flown_less_the_straight_way_and_without_one_the_shortest_way() {
+    let vertex = |x| Vertex { x, y: 0.0, bend_radius_m: 0.0 };
+    let (map, _) = corridor(&[vertex(0.0), vertex(9.0)], 1.0, false).unwrap();
+    let loss = |detour, odometers_m: [Option<f32>; 2]| {
+        let p = RadioParams { detour_db_per_m: 40.0, detour, ..RadioParams::default() };
+        let ends = [0.5, 3.0].map(|x_m| Antenna::from(Vec2::new(x_m, 0.0)));
+        let [from, to] = [0, 1].map(|i| Antenna { odometer_m: odometers_m[i], ..ends[i] });
+        let model = PathLoss::new(p, &map).unwrap();
+        assert_eq!(model.loss_db(&map, &from, &to), model.loss_db(&map, &to, &from));
+        model.loss_db(&map, &from, &to)
+    };
+    // 2.5 m apart lose 55 dB; 2.6 m flown are 0.1 m too many, and 2.4 m as many too few: 4 dB.
+    for (from_m, to_m, expected_db) in [(0.0, 2.5, 55.0), (0.0, 2.6, 59.0), (3.1, 0.7, 59.0)] {
+        let got_db = loss(Detour::Odometer, [Some(from_m), Some(to_m)]);
+        assert!((got_db - expected_db).abs() < 1e-3, "{from_m} {to_m}: {got_db}");
+    }
+    assert!((loss(Detour::Odometer, [Some(7.0), None]) - 55.0).abs() < 1e-3);
+    assert!((loss(Detour::Geodesic, [Some(0.0), Some(2.6)]) - 55.0).abs() < 1e-3);
+}
+
+#[test]
 fn an_antenna_is_best_at_45_degrees_and_the_base_has_none() {
     let p = RadioParams { antenna_db: 6.0, ..RadioParams::default() };
     let vertex = |x| Vertex { x, y: 0.0, bend_radius_m: 0.0 };

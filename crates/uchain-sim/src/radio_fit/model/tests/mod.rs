@@ -59,7 +59,8 @@ fn intervals_hold_the_truth_in_nineteen_of_twenty_of_200_draws() {
         ("weak shadowing", &weak, 150, 0.2, 2),
         ("cut at 85 dB", &cut, 150, 0.2, 2),
     ] {
-        let held = covered(0..200, truth, places, step_m, packets);
+        // Not the draws by which the prior of the length was chosen, 0 to 199.
+        let held = covered(1000..1200, truth, places, step_m, packets);
         println!("{name}: {held:?}");
         assert!(are_nineteen_of_twenty(&held[..5], 200), "{name}: {held:?}");
         assert!(held[5] < 120, "{name}: {held:?}");
