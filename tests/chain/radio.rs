@@ -5,7 +5,7 @@ use uchain_sim::{
     config::{ConfigError, builtin},
     map::Map,
     mission::{
-        Scene as _,
+        Mission as _, Scene as _,
         chain::{Chain, ChainExtensions, Course, McapRecorder, Metrics, Summary, plan},
         explore::Site,
     },
