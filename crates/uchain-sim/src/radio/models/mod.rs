@@ -3,10 +3,12 @@
 
 mod multi_wall;
 mod slopes;
+mod table;
 #[cfg(test)]
 mod tests;
 mod visibility;
 
 pub use multi_wall::MultiWall;
 pub use slopes::Slopes;
+pub use table::{LossTable, TableError};
 pub use visibility::Visibility;
