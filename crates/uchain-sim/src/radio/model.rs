@@ -4,7 +4,9 @@ use std::{fmt::Debug, sync::Arc};
 
 use glam::Vec2;
 
-use super::{Disc, LossTable, MultiWall, PathLoss, RadioParams, Slopes, TableError, Visibility, around::around};
+use super::{
+    Disc, LossTable, MultiWall, PathLoss, RadioParams, Slopes, TableError, Visibility, around::around,
+};
 use crate::{
     map::{Map, MapError},
     seed::Seed,
@@ -167,7 +169,16 @@ impl RadioKind {
     /// The models that every program has.
     pub const BUILTIN: [Self; 8] = {
         let [log_distance, p1238, two_slope] = Slopes::KINDS;
-        [PathLoss::KIND, Disc::KIND, log_distance, MultiWall::KIND, p1238, LossTable::KIND, two_slope, Visibility::KIND]
+        [
+            PathLoss::KIND,
+            Disc::KIND,
+            log_distance,
+            MultiWall::KIND,
+            p1238,
+            LossTable::KIND,
+            two_slope,
+            Visibility::KIND,
+        ]
     };
 
     /// A model by its word in a scenario and what it means in a sentence, for `uchain explain` and editors.

@@ -1,6 +1,9 @@
 //! A table of losses as text, a pair of places a line.
 
-use super::{FARTHEST_M, LOSS_DB, TableError, grid::{Grid, Places}};
+use super::{
+    FARTHEST_M, LOSS_DB, TableError,
+    grid::{Grid, Places},
+};
 use crate::config::shorten;
 
 const COLUMNS: [&str; 5] = ["x1_m", "y1_m", "x2_m", "y2_m", "loss_db"];

@@ -19,9 +19,7 @@ pub enum TableError {
     #[error("longer than {BYTES_MAX} bytes")]
     TooLong,
     /// No text.
-    #[error(
-        "not text from byte {byte} on: expected CSV, or NPZ as numpy.savez writes it in a file that ends in .npz"
-    )]
+    #[error("not text from byte {byte} on: expected CSV, or NPZ as numpy.savez writes it")]
     NotText {
         /// The first byte that is none.
         byte: usize,

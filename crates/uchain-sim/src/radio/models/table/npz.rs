@@ -17,7 +17,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Grid, TableError> {
     let losses = Array::read(bytes, "loss_db")?;
     let shape = [y_m.len(), x_m.len(), y_m.len(), x_m.len()];
     if losses.shape != shape {
-        return Err(losses.refuse(format!("shape {:?}: expected (m, n, m, n), which are {shape:?}", losses.shape)));
+        return Err(
+            losses.refuse(format!("shape {:?}: expected (m, n, m, n), which are {shape:?}", losses.shape))
+        );
     }
     let place = |index: usize| [x_m[index % x_m.len()], y_m[index / x_m.len()]];
     let mut all = Places::default();
@@ -35,12 +37,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Grid, TableError> {
             format!("[{}, {}, {}, {}]", from / n, from % n, to / n, to % n)
         };
         if !LOSS_DB.contains(&loss_db) {
-            let why = format!("{} = {loss_db}: expected decibels from -50 to 2000, or NaN for no link", here());
+            let why =
+                format!("{} = {loss_db}: expected decibels from -50 to 2000, or NaN for no link", here());
             return Err(losses.refuse(why));
         }
         grid.put(place(from), place(to), loss_db).map_err(|other| {
-            let why = format!("{} = {loss_db}: the same two places have {other} elsewhere; expected the same both \
-                               ways, within 0.001 dB", here());
+            let why = format!(
+                "{} = {loss_db}: the same two places have {other} elsewhere; expected the same both \
+                               ways, within 0.001 dB",
+                here()
+            );
             losses.refuse(why)
         })?;
     }
@@ -62,7 +68,9 @@ impl Array {
     /// The coordinates along an axis (m), each greater than the one before.
     fn line(self) -> Result<Vec<f64>, TableError> {
         if self.shape.len() != 1 || self.values.is_empty() {
-            return Err(self.refuse(format!("shape {:?}: expected one dimension, and a value or more", self.shape)));
+            return Err(
+                self.refuse(format!("shape {:?}: expected one dimension, and a value or more", self.shape))
+            );
         }
         if let Some(far) = self.values.iter().find(|at_m| at_m.is_nan() || at_m.abs() > FARTHEST_M) {
             return Err(self.refuse(format!("{far}: expected metres, at most 1e9 from the origin")));
@@ -90,7 +98,8 @@ impl Array {
         if !said("fortran_order").is_some_and(|rest| rest.starts_with("False")) {
             return Err(refuse("in Fortran's order: expected numpy.ascontiguousarray of it".to_owned()));
         }
-        let shape = said("shape").and_then(|rest| rest.strip_prefix('(')?.split_once(')')).map(|(shape, _)| shape);
+        let shape =
+            said("shape").and_then(|rest| rest.strip_prefix('(')?.split_once(')')).map(|(shape, _)| shape);
         let sides = shape.unwrap_or("?").split(',').map(str::trim).filter(|side| !side.is_empty());
         let shape: Option<Vec<usize>> = sides.map(|side| side.parse().ok()).collect();
         let shape = shape.ok_or_else(|| refuse("its header has no shape".to_owned()))?;

@@ -1,4 +1,4 @@
-//! The few of ZIP that NPZ files are made of: members that are stored or deflated, found by the directory at the end.
+//! The little of ZIP that NPZ files are made of: members that are stored or deflated, found by the directory at the end.
 
 use std::io::Read as _;
 
@@ -47,6 +47,10 @@ pub(super) fn member(bytes: &[u8], name: &str) -> Result<Option<Vec<u8>>, TableE
     let end = tail + last.ok_or(bad("its directory is missing: is it cut short?"))?;
     let cut = || bad("its directory is cut short");
     let count = u16_at(bytes, end + 10).ok_or_else(cut)?;
+    let comment = u16_at(bytes, end + 20).ok_or_else(cut)?;
+    if end + END_BYTES + comment != bytes.len() {
+        return Err(cut());
+    }
     if count > MEMBERS_MAX {
         return Err(bad("more than 1000 members"));
     }
