@@ -31,7 +31,7 @@ pub(super) struct Places(BTreeSet<(i64, i64)>);
 
 /// Bits that are ordered as [`f64::total_cmp`] orders numbers; twice gives them back.
 fn ordered(bits: i64) -> i64 {
-    bits ^ (((bits >> 63) as u64) >> 1) as i64
+    bits ^ ((bits >> 63).cast_unsigned() >> 1).cast_signed()
 }
 
 impl Places {
@@ -42,12 +42,12 @@ impl Places {
             return Err(TableError::TooManyPlaces);
         }
         // Zero has one sign here.
-        self.0.insert(([x_m + 0.0, y_m + 0.0]).map(|at_m| ordered(at_m.to_bits() as i64)).into());
+        self.0.insert(([x_m + 0.0, y_m + 0.0]).map(|at_m| ordered(at_m.to_bits().cast_signed())).into());
         Ok(())
     }
 
     fn each(&self) -> impl Iterator<Item = [f64; 2]> {
-        self.0.iter().map(|&(x, y)| [x, y].map(|bits| f64::from_bits(ordered(bits) as u64)))
+        self.0.iter().map(|&(x, y)| [x, y].map(|bits| f64::from_bits(ordered(bits).cast_unsigned())))
     }
 
     /// A grid that has them all, without losses yet.

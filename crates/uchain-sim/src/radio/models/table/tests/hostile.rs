@@ -1,3 +1,5 @@
+use std::fmt::Write as _;
+
 use super::{make, params};
 use crate::radio::RadioParams;
 
@@ -57,8 +59,9 @@ fn what_is_no_table_is_refused_by_line_column_and_what_was_expected() {
 #[test]
 fn a_table_with_too_many_places_or_bytes_is_refused() {
     let line = |places: u32| {
-        let rows: String = (1..places).map(|x_m| format!("0,0,{x_m},0,50\n")).collect();
-        format!("x1_m,y1_m,x2_m,y2_m,loss_db\n{rows}")
+        let mut text = "x1_m,y1_m,x2_m,y2_m,loss_db\n".to_owned();
+        (1..places).for_each(|x_m| writeln!(text, "0,0,{x_m},0,50").unwrap());
+        text
     };
     let file = super::file(line(2048).as_bytes());
     assert!(make(&params(file.path())).is_ok(), "the control");
