@@ -39,7 +39,7 @@ fn missions(criterion: &mut Criterion) {
     });
     let rays = Arc::new(ParryRays::new(&course.map));
     group.bench_function(BenchmarkId::new("plain", uavs), |b| {
-        b.iter(|| fly(&mut Chain::plain(course.clone(), 1, rays.clone()), ticks));
+        b.iter(|| fly(&mut Chain::plain(&course, 1, rays.clone()), ticks));
     });
     group.finish();
 }
@@ -61,7 +61,7 @@ fn chains(criterion: &mut Criterion) {
         });
         let rays = Arc::new(ParryRays::new(&course.map));
         group.bench_function(BenchmarkId::new("plain", uavs), |b| {
-            let mut sim = Chain::plain(course.clone(), 1, rays.clone());
+            let mut sim = Chain::plain(&course, 1, rays.clone());
             fly(&mut sim, warm_up);
             b.iter(|| fly(&mut sim, second));
         });

@@ -31,7 +31,7 @@ fn whole_missions_have_the_same_bits_with_every_uav_in_rapier_at_every_tick() {
         let ticks = total_ticks(course.scenario.duration_s);
         for seed in 1..=3 {
             let (fast, steps) = flown(<Chain as Mission>::start(course.clone(), seed), ticks);
-            let (plain, plain_steps) = flown(Chain::plain(course.clone(), seed, course.rays.clone()), ticks);
+            let (plain, plain_steps) = flown(Chain::plain(&course, seed, course.rays.clone()), ticks);
             assert_eq!(fast, plain, "{name} {sets:?}, seed {seed}");
             assert!(steps < ticks / 10 && plain_steps == ticks, "{name}: {steps} of {plain_steps}");
         }

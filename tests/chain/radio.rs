@@ -98,7 +98,7 @@ fn what_the_disc_needs_and_the_path_loss_does_not_is_said() {
         (
             &["radio.model=disk"][..],
             "--set radio.model=disk: radio.model = \"disk\": unknown choice; did you mean 'disc'? \
-          (known: path-loss, disc, log-distance, multi-wall, p1238, two-slope, visibility)",
+          (known: path-loss, disc, log-distance, multi-wall, p1238, table, two-slope, visibility)",
         ),
         (
             &["radio.model=disc"],
@@ -168,17 +168,17 @@ fn a_model_of_ones_own_by_its_word_flies_is_recorded_and_verified() {
     let error = open(Registry::default()).verify().unwrap_err().to_string();
     assert!(
         error.contains(
-            "unknown choice (known: path-loss, disc, log-distance, multi-wall, p1238, two-slope, visibility)"
+            "unknown choice (known: path-loss, disc, log-distance, multi-wall, p1238, table, two-slope, visibility)"
         ),
         "{error}"
     );
 
     let misspelt = read(registry(), &["radio.model=onw"]).unwrap_err().to_string();
-    assert!(misspelt.contains("did you mean 'own'? (known: path-loss, disc, log-distance, multi-wall, p1238, two-slope, visibility, own)"), "{misspelt}");
+    assert!(misspelt.contains("did you mean 'own'? (known: path-loss, disc, log-distance, multi-wall, p1238, table, two-slope, visibility, own)"), "{misspelt}");
     let explained = |registry: Registry| registry.explain("radio.model").unwrap()[0].choices.clone();
-    assert_eq!(explained(registry()).len(), 8);
-    assert_eq!(explained(registry())[7], ("own".to_owned(), "Eq. 22, as a user writes it.".to_owned()));
-    assert_eq!(explained(Registry::default()).len(), 7);
+    assert_eq!(explained(registry()).len(), 9);
+    assert_eq!(explained(registry())[8], ("own".to_owned(), "Eq. 22, as a user writes it.".to_owned()));
+    assert_eq!(explained(Registry::default()).len(), 8);
 }
 
 #[test]

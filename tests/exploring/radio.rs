@@ -114,6 +114,7 @@ fn a_model_of_ones_own_has_a_word_in_explorations_alone() {
         explained[0].choices.iter().map(|(word, _)| word.clone()).collect::<Vec<_>>()
     };
     assert_eq!(words(registry).last().map(String::as_str), Some("wide"));
-    let built_in = ["path-loss", "disc", "log-distance", "multi-wall", "p1238", "two-slope", "visibility"];
+    let built_in =
+        ["path-loss", "disc", "log-distance", "multi-wall", "p1238", "table", "two-slope", "visibility"];
     assert_eq!(words(Registry::default()), built_in);
 }

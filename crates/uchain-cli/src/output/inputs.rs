@@ -7,7 +7,7 @@ use uchain_sim::{
     map::ros_picture,
 };
 
-/// The files that a map, or the map of a scenario, is read from.
+/// The files that a map, or the map and the radio of a scenario, are read from.
 pub(crate) fn inputs(what: &str) -> Vec<PathBuf> {
     let path = PathBuf::from(what);
     let mut inputs = of_map(&path);
@@ -19,6 +19,9 @@ pub(crate) fn inputs(what: &str) -> Vec<PathBuf> {
         let tables = scenario.get("map").and_then(toml::Value::as_table).into_iter().flatten();
         let files = tables.filter_map(|(_, table)| table.get("file")?.as_str());
         inputs.extend(files.flat_map(|file| of_map(&source.folder.join(file))));
+        // And that of its losses.
+        let losses = scenario.get("radio").and_then(|radio| radio.get("table_file")?.as_str());
+        inputs.extend(losses.map(|file| source.folder.join(file)));
     }
     inputs
 }

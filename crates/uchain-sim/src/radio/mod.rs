@@ -22,7 +22,7 @@ pub use disc::Disc;
 pub use faults::{Dead, Deaf, DeafSide, FaultConfig};
 pub(crate) use model::finite_db;
 pub use model::{Antenna, MakeRadio, NO_LINK_DB, RadioError, RadioKind, RadioModel};
-pub use models::{MultiWall, Slopes, Visibility};
+pub use models::{LossTable, MultiWall, Slopes, TableError, Visibility};
 pub use packets::PacketParams;
 pub use params::{Detour, Fading, RadioParams, Shadowing};
 pub use path_loss::PathLoss;

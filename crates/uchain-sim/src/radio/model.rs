@@ -4,7 +4,9 @@ use std::{fmt::Debug, sync::Arc};
 
 use glam::Vec2;
 
-use super::{Disc, MultiWall, PathLoss, RadioParams, Slopes, Visibility, around::around};
+use super::{
+    Disc, LossTable, MultiWall, PathLoss, RadioParams, Slopes, TableError, Visibility, around::around,
+};
 use crate::{
     map::{Map, MapError},
     seed::Seed,
@@ -165,9 +167,18 @@ pub struct RadioKind {
 
 impl RadioKind {
     /// The models that every program has.
-    pub const BUILTIN: [Self; 7] = {
+    pub const BUILTIN: [Self; 8] = {
         let [log_distance, p1238, two_slope] = Slopes::KINDS;
-        [PathLoss::KIND, Disc::KIND, log_distance, MultiWall::KIND, p1238, two_slope, Visibility::KIND]
+        [
+            PathLoss::KIND,
+            Disc::KIND,
+            log_distance,
+            MultiWall::KIND,
+            p1238,
+            LossTable::KIND,
+            two_slope,
+            Visibility::KIND,
+        ]
     };
 
     /// A model by its word in a scenario and what it means in a sentence, for `uchain explain` and editors.
@@ -205,6 +216,14 @@ pub enum RadioError {
         key: &'static str,
         /// What the map said.
         cause: MapError,
+    },
+    /// `radio.table_file` is no table of losses.
+    #[error("radio.table_file: {file}: {cause}")]
+    Table {
+        /// The file.
+        file: String,
+        /// What is wrong with it, and where.
+        cause: TableError,
     },
     /// A value of `[radio]` that the model cannot take.
     #[error("radio.{key} = {got}: {expected}")]

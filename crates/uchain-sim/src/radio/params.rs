@@ -4,7 +4,7 @@ use uchain_core::params::OutOfRange;
 
 #[cfg(feature = "schema")]
 use super::RadioKind;
-use super::{Disc, MultiWall, PathLoss, Slopes, Visibility};
+use super::{Disc, LossTable, MultiWall, PathLoss, Slopes, Visibility};
 
 /// How rock in the way raises the exponent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
@@ -100,7 +100,7 @@ uchain_core::params! {
         pub antenna_db: f32 = 0.0, in 0.0..=100.0;
         /// Whether every model loses `reference_loss_db` at `reference_m`. If not, "log-distance" and "visibility" lose 40 dB at
         /// 1 m as in Gazebo, "multi-wall" and "two-slope" what free space does, and "p1238" what its formula says;
-        /// "path-loss" and "disc" have no other loss.
+        /// "path-loss" and "disc" have no other loss, and "table" always has those of its file.
         /// - Source: ours
         pub align: bool = true;
         /// Exponent of "log-distance" and "visibility", and that of "two-slope" near by (1).
@@ -143,6 +143,12 @@ uchain_core::params! {
         /// Greatest cost over which "visibility" has a link (1).
         /// - Source: the SubT simulator (`commsCostMax`)
         pub cost_max: u32 = 15, in 0..=254;
+        /// File of the model "table": losses between the places of a regular grid, in the frame of the map, as CSV with the
+        /// columns x1_m, y1_m, x2_m, y2_m and loss_db, or as NPZ with the arrays x_m (n), y_m (m) and loss_db (m, n, m, n). A
+        /// path starts at the folder of the scenario.
+        /// - Source: ours; the losses are whoever's made the file
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub table_file: Option<String> = None;
         /// Standard deviation of a measured loss (dB).
         /// - Symbol: `σ`
         /// - Equation: `measured loss = loss + N(0, σ²)`
@@ -278,6 +284,7 @@ impl RadioParams {
             Slopes::P1238 => &["align", "frequency_mhz", "p1238_n"],
             Slopes::TWO_SLOPE => &["align", "exponent", "frequency_mhz", "break_m", "exponent_far"],
             MultiWall::WORD => &["align", "frequency_mhz", "wall_light_db", "wall_heavy_db"],
+            LossTable::WORD => &["table_file"],
             Visibility::WORD => &["align", "exponent", "exponent_per_cost", "cost_max"],
             // What a model of a program's own goes by is its own business.
             _ => return None,
@@ -300,6 +307,7 @@ impl RadioParams {
             ("wall_heavy_db", p.wall_heavy_db != by_default.wall_heavy_db),
             ("exponent_per_cost", p.exponent_per_cost != by_default.exponent_per_cost),
             ("cost_max", p.cost_max != by_default.cost_max),
+            ("table_file", p.table_file.is_some()),
         ];
         let unused = other.iter().filter(|(key, is_set)| *is_set && !own.contains(key));
         let unused: Vec<String> = unused.map(|(key, _)| format!("radio.{key}")).collect();

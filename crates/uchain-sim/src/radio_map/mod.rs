@@ -6,6 +6,7 @@ mod picture;
 mod tests;
 
 use std::fmt::Write as _;
+use uchain_core::bounded;
 
 use glam::{DVec2, Vec2};
 use serde::Serialize;
@@ -54,7 +55,7 @@ impl LossMap {
         let cells = if radio.is_costly() { CELLS_WHERE_COSTLY } else { CELLS };
         let least_m = (size_m.x * size_m.y / MOST_CELLS).sqrt();
         let cell_m = (free_m2 / cells).sqrt().max(least_m).max(CELL_LEAST_M);
-        let count = |side_m: f64| (side_m / cell_m).ceil().max(1.0).min(MOST_CELLS) as usize;
+        let count = |side_m: f64| bounded((side_m / cell_m).ceil(), 1.0, MOST_CELLS) as usize;
         let (columns, rows) = (count(size_m.x), count(size_m.y));
         let antenna = Antenna::from(from);
         let mut loss_db = Vec::with_capacity(columns * rows);

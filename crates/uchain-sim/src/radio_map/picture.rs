@@ -36,7 +36,7 @@ impl LossMap {
             self.from_m[0], self.from_m[1], self.limit_db
         );
         let lines = wrapped(&title, LONGEST_HEADLINE);
-        let panel = self.panel(map, 34.0 + LINE * lines.len() as f64);
+        let panel = Self::panel(map, 34.0 + LINE * lines.len() as f64);
         let mut scene = Scene::new(FIGURE_WIDTH, panel.bottom() + 44.0);
         for (i, line) in lines.iter().enumerate() {
             panel::text(&mut scene, (LEFT, 20.0 + LINE * i as f64), TEXT_LARGE, line);
@@ -63,7 +63,7 @@ impl LossMap {
         raster(&scene)
     }
 
-    fn panel(&self, map: &Map, top: f64) -> Panel {
+    fn panel(map: &Map, top: f64) -> Panel {
         let offset = DVec2::from(map.offset_m());
         let (low, high) = map.bounds();
         let (low, high) = (low.as_dvec2() + offset, high.as_dvec2() + offset);

@@ -9,7 +9,8 @@ use crate::{
     radio::{RadioError, RadioKind, RadioModel, RadioParams},
 };
 
-/// The model that `radio.model` names, in a map: a built-in one or one of a program's `own`.
+/// The model that `radio.model` names, in a map: a built-in one or one of a program's `own`. Its file, if it has one, is read
+/// from the folder of the document.
 ///
 /// # Errors
 /// [`ConfigError::UnknownChoice`], naming what there is; what the model cannot do with the table or the map.
@@ -29,8 +30,14 @@ pub fn lay_radio(
         let expected = "this program gives the word to more than one model";
         return Err(document.invalid("radio.model", &format!("\"{}\"", kind.word()), expected));
     }
-    kind.make(params, map).map_err(|error| match error {
+    let mut params = params.clone();
+    params.table_file =
+        params.table_file.map(|file| document.folder().join(file).to_string_lossy().into_owned());
+    kind.make(&params, map).map_err(|error| match error {
         RadioError::Map { key, cause } => refuse(document, &format!("radio.{key}"), cause),
+        RadioError::Table { file, cause } => {
+            document.invalid("radio.table_file", &format!("{file:?}"), cause.to_string())
+        }
         RadioError::Value { key, got, expected } => document.invalid(&format!("radio.{key}"), &got, expected),
     })
 }

@@ -185,7 +185,7 @@ impl<B: Law, R: Rays> ChainOf<B, R> {
     /// The same chain with these rays and every UAV in rapier at every tick: the slow way, and the measure of
     /// [`Chain::start`] in tests and benchmarks. With [`Course::rays`] it has the same bits until something touches; with
     /// [`ParryRays`](crate::sense::ParryRays) it is what the libraries do by themselves.
-    pub fn plain(course: Arc<Course>, seed: u64, rays: Arc<R>) -> Self {
+    pub fn plain(course: &Arc<Course>, seed: u64, rays: Arc<R>) -> Self {
         let course = course.seeded(seed);
         let world = World::ungated(course.map.clone(), course.scenario.motion.clone(), spawns(&course));
         Self::with(course, seed, rays, world)

@@ -61,7 +61,7 @@ pub(super) fn line(likelihood: &mut Likelihood, places: &[Place], surface: &Surf
         let prior = -PRIOR * (node.point[1] - best.point[1]);
         let weight = libm::exp(prior - 0.5 * (node.deviance - best.deviance));
         // What is no number has no weight.
-        if !(weight > 1e-12) {
+        if weight.is_nan() || weight <= 1e-12 {
             continue;
         }
         let (variance, inverse, own) =

@@ -274,7 +274,7 @@ impl Solved<'_> {
     pub(super) fn solved(&self, width: usize) -> Vec<[f64; 3]> {
         let mut out = self.whitened.clone();
         for row in (0..out.len()).rev() {
-            let own = &self.lower[row * width..row * width + row + 1];
+            let own = &self.lower[row * width..=row * width + row];
             let value = out[row].map(|value| value / own[row]);
             out[row] = value;
             for (before, l) in out[..row].iter_mut().zip(own) {

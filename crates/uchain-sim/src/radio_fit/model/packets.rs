@@ -1,6 +1,7 @@
 //! Packets that were not heard: by chance, or because they lost too much.
 
 use serde::Serialize;
+use uchain_core::bounded;
 
 use super::places::Place;
 
@@ -108,7 +109,7 @@ impl Counted {
         let curve_of = |x: [f64; 3]| Curve {
             random: 1.0 / (1.0 + libm::exp(-x[0])),
             limit_db: x[1],
-            width_db: libm::exp(x[2].max(-3.0).min(3.0)),
+            width_db: libm::exp(bounded(x[2], -3.0, 3.0)),
         };
         let minus = |x: [f64; 3]| {
             let curve = curve_of(x);

@@ -52,17 +52,15 @@ impl Header {
             let from = match mapping.theirs(column) {
                 None => own().map(|place| From::Cell { place, factor: 1.0, name: names[place].to_owned() }),
                 Some(Theirs::Constant(value)) => Some(From::Constant(*value)),
-                Some(Theirs::Column { name, factor }) => match name.split_once('*') {
-                    Some((before, after)) => {
+                Some(Theirs::Column { name, factor }) => {
+                    if let Some((before, after)) = name.split_once('*') {
                         header.wide(names, column, (before, after), *factor, &mut read)?;
                         continue;
                     }
-                    None => {
-                        let place = names.iter().position(|there| there == name);
-                        let place = place.ok_or_else(|| not_there(name, names))?;
-                        Some(From::Cell { place, factor: *factor, name: name.clone() })
-                    }
-                },
+                    let place = names.iter().position(|there| there == name);
+                    let place = place.ok_or_else(|| not_there(name, names))?;
+                    Some(From::Cell { place, factor: *factor, name: name.clone() })
+                }
             };
             let Some(from) = from else { continue };
             let place = if let From::Cell { place, .. } = &from { Some(*place) } else { None };
@@ -131,7 +129,7 @@ impl Header {
         }
         let first = has(Of::End(0)) && has(Of::End(1));
         let second = (has(Of::End(3)) && has(Of::End(4))) || anchors.is_some();
-        if !has(Of::Distance) && !(first && second) {
+        if !(has(Of::Distance) || first && second) {
             let missing = match (first, second) {
                 (true, false) => {
                     "x1_m and y1_m are there, but not where the other end is: x2_m and y2_m, or --anchors FILE"

@@ -173,7 +173,6 @@ impl<'a> Rows<'a> {
     }
 
     /// Distance and places of a packet; `None` where they are not said.
-    #[expect(clippy::type_complexity, reason = "the two parts of one answer")]
     fn place(
         &self,
         line: usize,
@@ -225,7 +224,7 @@ impl<'a> Rows<'a> {
             let known = self.last.iter().position(|last| last.link == sample.link && last.walk == walk);
             if let Some(last) = known.and_then(|known| self.last.get(known)) {
                 let missing = seq - last.seq - 1.0;
-                if missing >= 1.0 && missing <= GAP_MAX {
+                if (1.0..=GAP_MAX).contains(&missing) {
                     let before = self.samples.get(last.sample).cloned();
                     for nth in 1..=missing as usize {
                         let share = nth as f64 / (missing + 1.0);

@@ -25,16 +25,12 @@ pub(super) fn cells<'t>(line: &'t str, into: &mut Vec<&'t str>) -> Option<()> {
             }
             rest = after.strip_prefix(',')?;
         } else {
-            match rest.split_once(',') {
-                Some((cell, more)) => {
-                    into.push(cell.trim());
-                    rest = more;
-                }
-                None => {
-                    into.push(rest.trim());
-                    return Some(());
-                }
-            }
+            let Some((cell, more)) = rest.split_once(',') else {
+                into.push(rest.trim());
+                return Some(());
+            };
+            into.push(cell.trim());
+            rest = more;
         }
     }
 }

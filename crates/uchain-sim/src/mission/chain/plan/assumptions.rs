@@ -6,7 +6,7 @@ use super::{PlanOptions, clock::Clock};
 use crate::{
     config::MapConfig,
     mission::chain::Course,
-    radio::{MultiWall, PathLoss, RadioParams, Slopes, Visibility},
+    radio::{LossTable, MultiWall, PathLoss, RadioParams, Slopes, Visibility},
 };
 
 /// Everything a plan stands on.
@@ -78,6 +78,9 @@ pub struct RadioAssumed {
 
 /// What a model goes by that is neither "path-loss" nor "disc".
 fn goes_by(radio: &RadioParams) -> Option<String> {
+    if radio.model == LossTable::WORD {
+        return radio.table_file.as_ref().map(|file| format!("the losses in {file}"));
+    }
     let known = if radio.align {
         format!("{} dB at {} m", radio.reference_loss_db, radio.reference_m)
     } else {
