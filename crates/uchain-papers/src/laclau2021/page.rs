@@ -1,5 +1,7 @@
 //! A page on the exploration of Laclau 2021, Fig. 4D to F: what each reading of it comes to, in words and one table.
 
+use std::fmt::Write as _;
+
 use super::exploration::{Exploration, Flight, REPLICATES, RunsByTreatment, TREATMENTS};
 use crate::outcome::mean_with_interval;
 
@@ -85,7 +87,8 @@ fn row(
     cell: impl Fn(&RunsByTreatment) -> String,
 ) {
     let cells: Vec<String> = flown.readings().map(|(_, treated)| cell(treated)).collect();
-    *text += &format!("| {what} | {published} | {} |\n", cells.join(" | "));
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "| {what} | {published} | {} |", cells.join(" | "));
 }
 
 /// Two sentences: what the figure shows, and by which reading.
