@@ -83,7 +83,7 @@ pub(crate) struct Fit {
     /// What stands in the log for a packet that was not heard, beside an empty cell
     #[arg(long, value_name = "VALUE", value_parser = number, allow_hyphen_values = true)]
     pub(crate) lost: Option<f64>,
-    /// Distance that L0 is said at, radio.reference_m [default: 0.25]
+    /// Distance that L0 is said at [default: 0.25]
     #[arg(long, value_name = "M", value_parser = number, allow_hyphen_values = true)]
     pub(crate) reference_m: Option<f64>,
     /// Plan for this scenario or map with the fitted radio, at its best and at both ends of its interval

@@ -19,6 +19,8 @@ use crate::{
 };
 
 /// Places along a tunnel, and how far they lie apart at least (m).
+/// Most rows of a tunnel's losses that are printed.
+const ROWS: usize = 12;
 const PLACES: usize = 1_000;
 const STEP_M: f64 = 0.05;
 
@@ -124,7 +126,7 @@ fn along(registry: Registry, asked: &Map) -> Result<Made, Failure> {
         let words = format!("{name}: no tunnel is known to go along; add --goal=X,Y, where it ends");
         return Err(Failure::Map(words));
     };
-    let places = ((tunnel.length_m() / STEP_M) as usize).max(1).min(PLACES);
+    let places = 1 + ((tunnel.length_m() / STEP_M) as usize).min(PLACES - 1);
     let depths = (0..=places).map(|step| tunnel.length_m() * step as f64 / places as f64);
     let places = depths.map(|depth_m| (depth_m, tunnel.at(depth_m).0));
     let limit_db = f64::from(course.scenario.takeoff.s_min_db);
@@ -139,7 +141,6 @@ fn along(registry: Registry, asked: &Map) -> Result<Made, Failure> {
         [] => writeln!(text, "the loss never passes {limit_db} dB"),
         _ => writeln!(text, "the loss passes {limit_db} dB at {} m", passes.join(", ")),
     };
-    const ROWS: usize = 12;
     let every = losses.points.len().div_ceil(ROWS).max(1);
     for point in losses.points.iter().step_by(every) {
         let _ = writeln!(text, "  {:>8.2} m {:>8.1} dB", point.depth_m, point.loss_db);
