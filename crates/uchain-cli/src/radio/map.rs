@@ -18,9 +18,9 @@ use crate::{
     waiting::spinner,
 };
 
-/// Places along a tunnel, and how far they lie apart at least (m).
 /// Most rows of a tunnel's losses that are printed.
 const ROWS: usize = 12;
+/// Places along a tunnel, and how far they lie apart at least (m).
 const PLACES: usize = 1_000;
 const STEP_M: f64 = 0.05;
 
