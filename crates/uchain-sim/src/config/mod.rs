@@ -14,7 +14,6 @@ mod tests;
 
 pub use check::Check;
 pub(crate) use check::{DURATION_MAX_S, TICK_S};
-#[cfg(any(feature = "sweep", feature = "log", feature = "fit"))]
 pub(crate) use diagnose::shorten;
 pub use diagnose::{Choices, ConfigError, Origin};
 pub use document::Document;
