@@ -12,7 +12,7 @@
 //! apartment: 3 robots, 75 rounds, 108 nodes
 //! apartment by srg: 3 robots, 95 rounds, 109 nodes
 //! apartment until full: 3 robots, 137 rounds, 188 nodes
-//! chains: 60015 records, 1925 kB
+//! chains: 60015 records, 2092 kB
 //! chains: 60000 decisions again, the same bits
 //! team: 4830 records, 108 kB
 //! team: 1228 decisions again, the same bits
