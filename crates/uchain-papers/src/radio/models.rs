@@ -94,6 +94,7 @@ fn regenerate(_: &RunCache) -> Result<Outcome, PaperError> {
         "The models disagree by design: aligned at 0.25 m they part with distance and with walls. \"visibility\" asks for a map of \
          the SubT challenge, \"table\" for a file, and \"disc\" says nothing of how good a link is; they are not in here."
             .to_owned(),
+        "\"two-slope\" is \"log-distance\" here: no link of this circuit comes to its break at 20 m.".to_owned(),
         "What stays in place (static) is part of the true loss: a filter cannot average it away, and a chain that levels it has \
          levelled the shadows too. White noise and fading are not."
             .to_owned(),

@@ -34,9 +34,9 @@ fn covered(
     held
 }
 
-/// 0.91 to 0.985 of 200, and of 40 as many as a binomial with 0.945 has but once in a thousand.
+/// 0.91 to 0.98 of 200, and of 40 as many as a binomial with 0.945 has but once in a thousand.
 fn are_nineteen_of_twenty(held: &[usize], draws: usize) -> bool {
-    let (least, most) = if draws == 200 { (182, 197) } else { (33, draws) };
+    let (least, most) = if draws == 200 { (182, 196) } else { (33, draws) };
     held.iter().all(|held| (least..=most).contains(held))
 }
 
@@ -49,7 +49,7 @@ fn intervals_hold_the_truth_in_nineteen_of_twenty_draws_and_those_of_least_squar
 }
 
 #[test]
-#[ignore = "minutes: the figures in docs/guide/radio-fit.md"]
+#[ignore = "minutes: the figures in docs/guide/radio-fit.md; L0 with weak shadowing misses the bound by one, 197"]
 fn intervals_hold_the_truth_in_nineteen_of_twenty_of_200_draws() {
     let weak = Truth { sigma_static_db: 2.0, ..TRUTH };
     let cut = Truth { limit_db: 85.0, ..TRUTH };
